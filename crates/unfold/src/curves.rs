@@ -196,6 +196,17 @@ impl Net {
         }
     }
 
+    /// Forgets what has been found since these were its curves.
+    pub(crate) fn return_to(&mut self, curves: Vec<DiagramCurve>) {
+        self.curves = curves;
+        let ends: Vec<Unknowns> = self.curves.iter().flat_map(DiagramCurve::ends).collect();
+        let known = |point: &CodimensionTwoPoint| {
+            let place = point.unknowns();
+            point.kind == CodimensionTwo::Cusp || ends.iter().any(|end| same_point(end, &place))
+        };
+        self.meetings.retain(known);
+    }
+
     /// Follows the missing ones of the two curves that meet at each codimension-two point, and
     /// continues from their ends.
     pub(crate) fn grow(&mut self, route: &Route<'_>) {

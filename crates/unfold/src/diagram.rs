@@ -246,14 +246,14 @@ impl Diagram {
         let grazing = [self.grazing.as_slice(), &self.doubled].concat();
         let of_mps =
             regions::of_mps(&self.oscillator, (&self.scope, &self.asked), &grazing, &mut nets, progress);
-        if of_mps.iter().any(Option::is_none) {
+        if progress.stopped() {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }
-        for ((net, known), found) in nets.iter_mut().zip(known).zip(of_mps) {
-            let (regions, levels) = found.unwrap_or_else(|| {
+        for ((net, known), (regions, levels)) in nets.iter_mut().zip(known).zip(of_mps) {
+            let regions = regions.unwrap_or_else(|| {
                 // The part in progress at the moment of cancellation is meaningless.
                 *net = known;
-                (vec![Region::not_finished(self.scope.window, net.loops())], Levels::default())
+                vec![Region::not_finished(self.scope.window, net.loops())]
             });
             self.regions.extend(regions);
             self.levels.curves.extend(levels.curves);

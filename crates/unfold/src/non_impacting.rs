@@ -113,10 +113,8 @@ fn on_slices(
     let regions = decided(scope.window, &mut survey, between, progress);
     let grazing = survey.grazing;
     let doubled = doubled(oscillator, scope, net.clone(), progress);
-    let (regions, unfinished) = match progress.stopped() {
-        true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(STAGE)]),
-        false => (regions, Vec::new()),
-    };
+    let regions = regions.unwrap_or_else(|| vec![Region::not_finished(scope.window, 0)]);
+    let unfinished = if progress.stopped() { vec![Unfinished::stage(STAGE)] } else { Vec::new() };
     Ok(NonImpacting { grazing, doubled, no_grazing, curves: net.curves, regions, unfinished })
 }
 

@@ -47,15 +47,15 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
-/// The regions of the MPSs of each p with the requested curves, empty if the computation was
-/// cancelled meanwhile; bifurcation curves found to be missing on the way are added.
+/// The regions of the MPSs of each p with the requested curves, where nothing is decided if the computation
+/// was cancelled early; bifurcation curves found to be missing on the way are added.
 pub(crate) fn of_mps(
     oscillator: &AnyOscillator,
     (scope, asked): (&Scope, &[Level]),
     grazing: &[GrazingCurve],
     nets: &mut [Net],
     progress: &dyn Progress,
-) -> Vec<Option<(Vec<Region>, Levels)>> {
+) -> Vec<(Option<Vec<Region>>, Levels)> {
     let window = scope.window;
     let levels = levels(window);
     progress.begin(STAGE, nets.len() as u64);
@@ -67,7 +67,7 @@ pub(crate) fn of_mps(
         let regions = decided(window, &mut survey, &levels, progress);
         let levels = survey.levels(asked, progress);
         progress.step(STAGE);
-        (!progress.stopped()).then_some((regions, levels))
+        (regions, if progress.stopped() { Levels::default() } else { levels })
     });
     let regions = regions.collect();
     progress.end(STAGE);
@@ -75,14 +75,15 @@ pub(crate) fn of_mps(
 }
 
 /// The regions of the solutions of a survey, from slices at some values of η and wherever else they
-/// are needed.
+/// are needed. If the computation is cancelled after the first slices what they show is decided, and
+/// the rest not finished; `None` if it is cancelled before.
 pub(crate) fn decided(
     window: Window,
     survey: &mut Survey<'_>,
     levels: &[f64],
     progress: &dyn Progress,
-) -> Vec<Region> {
-    let judge = refined(window, survey, levels, progress, |judge, survey, lines| {
+) -> Option<Vec<Region>> {
+    let seen = refined(window, survey, levels, progress, |judge, survey, lines| {
         let faces = faces::cut(window, lines);
         let unseen: Vec<[f64; 2]> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
         let mut wanted: Vec<f64> = faces.iter().flat_map(|face| judge.contradicted(face)).collect();
@@ -91,9 +92,29 @@ pub(crate) fn decided(
         wanted.extend(across_curves(judge, survey, lines));
         judge.affordable(unseen, &wanted)
     });
-    survey.number();
-    let lines = joined(window, survey.lines());
-    judge.regions(&lines, survey.curves(), survey.loops())
+    let Seen { judge, lines, curves, is_whole } = seen?;
+    let loops = survey.loops();
+    if is_whole {
+        survey.number();
+        return Some(judge.regions(&lines, survey.curves(), loops, &[]));
+    }
+    let mut unsettled = judge.loose_ends(&lines);
+    unsettled.extend(judge.barely_crossed(&lines, 1).flat_map(|line| line.iter().copied()));
+    let mut regions = judge.regions(&lines, &curves, loops, &unsettled);
+    survey.return_to(curves);
+    for region in regions.iter_mut().filter(|region| region.doubt.is_some()) {
+        region.doubt = Some(Doubt::NotFinished);
+    }
+    Some(regions)
+}
+
+/// What slices show, and the lines that cut the window.
+struct Seen {
+    judge: Judge,
+    lines: Vec<Vec<Point>>,
+    curves: Vec<DiagramCurve>,
+    /// Whether no more slices are wanted.
+    is_whole: bool,
 }
 
 /// Completes a survey without regions: lays slices across all its curves, and across those at which
@@ -108,27 +129,34 @@ fn across_curves(judge: &Judge, survey: &Survey<'_>, lines: &[Vec<Point>]) -> Ve
     [judge.uncrossed(lines, 1), judge.uncrossed(&survey.beginnings(), ABOUT_BEGINNINGS)].concat()
 }
 
-/// Lays slices at some values of η, then at those that are wanted once these are known, and so on.
+/// Lays slices at some values of η, then at those that are wanted once these are known, and so on. What a
+/// cancelled round has seen is left out; `None` if that is everything.
 fn refined(
     window: Window,
     survey: &mut Survey<'_>,
     levels: &[f64],
     progress: &dyn Progress,
     wanted: impl Fn(&Judge, &Survey<'_>, &[Vec<Point>]) -> Vec<f64>,
-) -> Judge {
-    survey.look_at(levels, progress);
-    let mut judge = Judge { window, sights: survey.sights(), witnesses: survey.witnesses() };
-    for _ in 0..ROUNDS {
+) -> Option<Seen> {
+    let mut last = None;
+    let mut levels = levels.to_vec();
+    for round in 0..=ROUNDS {
+        survey.look_at(&levels, progress);
+        let judge = Judge { window, sights: survey.sights(), witnesses: survey.witnesses() };
         let lines = joined(window, survey.lines());
-        let wanted = wanted(&judge, survey, &lines);
-        if wanted.is_empty() || progress.stopped() {
+        levels = if round < ROUNDS { wanted(&judge, survey, &lines) } else { Vec::new() };
+        // Only now is it known that nothing of this was cancelled.
+        if progress.stopped() {
             break;
         }
-        survey.look_at(&wanted, progress);
-        judge.sights = survey.sights();
-        judge.witnesses = survey.witnesses();
+        let is_whole = levels.is_empty();
+        let curves = if is_whole { Vec::new() } else { survey.curves().to_vec() };
+        last = Some(Seen { judge, lines, curves, is_whole });
+        if is_whole {
+            break;
+        }
     }
-    judge
+    last
 }
 
 impl Judge {
@@ -167,9 +195,25 @@ impl Judge {
     }
 
     /// The regions into which lines cut the window.
-    fn regions(&self, lines: &[Vec<Point>], curves: &[DiagramCurve], loops: u32) -> Vec<Region> {
+    ///
+    /// Faces with one of some unsettled points on their border are not finished.
+    fn regions(
+        &self,
+        lines: &[Vec<Point>],
+        curves: &[DiagramCurve],
+        loops: u32,
+        unsettled: &[Point],
+    ) -> Vec<Region> {
         let faces = faces::cut(self.window, lines).into_iter();
-        let judged: Vec<FaceVerdict> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
+        let is_unsettled = |face: &Face| {
+            let mut border = face.iter().flatten();
+            border.any(|vertex| unsettled.iter().any(|point| gap(self.window, *vertex, *point) < MEET))
+        };
+        let judged = |face: Face| match is_unsettled(&face) {
+            true => vec![FaceVerdict { face, verdict: Err(Doubt::NotFinished), trouble: Vec::new() }],
+            false => self.parted(self.judge(face)),
+        };
+        let judged: Vec<FaceVerdict> = faces.flat_map(judged).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
         let mut regions: Vec<(usize, Region)> = Vec::new();
         let [width, height] = self.window.widths();
@@ -308,7 +352,7 @@ mod tests {
 
     /// The regions of the whole window, cut by no curve.
     fn whole(sights: Vec<Sight>) -> Vec<(RegionKind, Option<Doubt>)> {
-        let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1);
+        let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1, &[]);
         regions.into_iter().map(|region| (region.kind(), region.doubt)).collect()
     }
 

@@ -262,6 +262,11 @@ impl<'a> Survey<'a> {
         self.net.number(Some(self.scope.window));
     }
 
+    /// Forgets what has been found since these were the bifurcation curves.
+    pub(crate) fn return_to(&mut self, curves: Vec<DiagramCurve>) {
+        self.net.return_to(curves);
+    }
+
     /// The bifurcation curves.
     pub(crate) fn curves(&self) -> &[DiagramCurve] {
         &self.net.curves
