@@ -19,6 +19,8 @@ const ALONG: u32 = 7;
 const POSITIONS: [f64; 4] = [-1.0, -0.37, -0.01, 0.0];
 const NEAR: f64 = 0.01;
 const VELOCITIES: [f64; 3] = [-0.83, 0.0, 0.61];
+/// Positions between which a spring would show.
+const AWAY: [f64; 5] = [-30.0, -4.0, -1.0, -0.37, 0.0];
 /// Impact velocities, also in [`Units`], at which the reset law is sampled: the theorems are about
 /// slow impacts.
 const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
@@ -36,15 +38,10 @@ type Checked = Result<(), DescriptionError>;
 
 /// Checks frequency, force and reset law at samples, in the order of the file, until the
 /// computation is cancelled; returns notes on values that are allowed but perhaps not intended.
-pub(crate) fn samples(
-    description: &Description,
-    places: &Expressions<KeyPlace>,
-    stop: &Stop,
-) -> Result<Vec<String>, DescriptionError> {
-    let sampler = Sampler { description, places, units: description.units() };
+pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<String>, DescriptionError> {
+    let sampler = Sampler::new(description);
     let parameters = sampler.parameters();
-    for check in [Sampler::frequency, Sampler::wall, Sampler::force, Sampler::restitution, Sampler::duration]
-    {
+    for check in Sampler::CHECKS {
         for &parameters in &parameters {
             if stop.is_asked() {
                 return Err(DescriptionError::Ended);
@@ -55,6 +52,7 @@ pub(crate) fn samples(
     let going = || parameters.iter().take_while(|_| !stop.is_asked());
     let notes = [
         going().find_map(|&at| sampler.lively(at)),
+        sampler.unsprung(going()),
         going().find_map(|&at| sampler.undamped(at)),
         going().find_map(|&at| sampler.in_hertz(at)),
         sampler.far(going()),
@@ -65,13 +63,27 @@ pub(crate) fn samples(
     Ok(notes.into_iter().flatten().collect())
 }
 
-struct Sampler<'a> {
+/// Checks of a description at places of its plane, which need not lie in its ranges.
+pub(crate) struct Sampler<'a> {
     description: &'a Description,
     places: &'a Expressions<KeyPlace>,
     units: Units,
 }
 
-impl Sampler<'_> {
+impl<'a> Sampler<'a> {
+    /// All checks, in the order of the file.
+    const CHECKS: [fn(&Self, [f64; 2]) -> Checked; 5] =
+        [Self::frequency, Self::wall, Self::force, Self::restitution, Self::duration];
+
+    pub(crate) fn new(description: &'a Description) -> Self {
+        Self { description, places: &description.0.places, units: description.units() }
+    }
+
+    /// Whether all checks pass at a place.
+    pub(crate) fn passes(&self, parameters: [f64; 2]) -> bool {
+        Self::CHECKS.iter().all(|check| check(self, parameters).is_ok())
+    }
+
     fn impact_velocities(&self) -> [f64; 5] {
         IMPACT_VELOCITIES.map(|y| y * self.units.velocity())
     }
@@ -173,22 +185,25 @@ impl Sampler<'_> {
         ))
     }
 
-    /// The mean derivatives of the force at the wall in x and in v, over a period.
-    fn slopes(&self, [mu, eta]: [f64; 2]) -> [f64; 2] {
-        let period = TAU / self.description.forcing_frequency(mu, eta);
-        let [by_x, by_v] = [self.units.length, self.units.velocity()].map(|unit| NEAR * unit);
-        let mut sum = [0.0; 2];
-        for t in SHARES.map(|share| share * period) {
-            let mut force = self.description.force_at::<f64, f64>(t, mu, eta);
-            sum[0] += (force(0.0, 0.0) - force(-by_x, 0.0)) / by_x;
-            sum[1] += (force(0.0, by_v) - force(0.0, -by_v)) / (2.0 * by_v);
-        }
-        sum.map(|sum| sum / SHARES.len() as f64)
+    /// A note if the force grows with the distance from rest wherever it is tried.
+    fn unsprung<'p>(&self, mut parameters: impl Iterator<Item = &'p [f64; 2]> + Clone) -> Option<String> {
+        let slope = |at: [f64; 2], x: f64| self.description.slopes(x * self.units.length, at)[0];
+        let least = ROUNDING / (self.units.time * self.units.time);
+        let first = *parameters.clone().next()?;
+        parameters.all(|&at| AWAY.iter().all(|x| slope(at, *x) > least)).then(|| {
+            format!(
+                "{}: the force grows with x, by {} x at {}, and wherever else it was tried, so that motion is pushed away \
+                 from rest, not back: is the sign of the spring intended?",
+                self.places.force,
+                rounded(slope(first, 0.0)),
+                self.point(first, &[])
+            )
+        })
     }
 
     /// A note if the force grows with the velocity.
     fn undamped(&self, parameters: [f64; 2]) -> Option<String> {
-        let slope = self.slopes(parameters)[1];
+        let slope = self.description.slopes(0.0, parameters)[1];
         (slope * self.units.time > ROUNDING).then(|| {
             format!(
                 "{}: at the wall the force grows with the velocity, by {} v at {}, so that motion is driven, not damped: is \
@@ -218,7 +233,7 @@ impl Sampler<'_> {
         let ([mut low, mut slowest], [mut high, mut fastest]) = ([f64::INFINITY; 2], [0.0_f64; 2]);
         for &[mu, eta] in parameters {
             let forced = self.description.forcing_frequency(mu, eta);
-            let natural = (-self.slopes([mu, eta])[0]).max(0.0).sqrt();
+            let natural = self.description.natural_frequency(0.0, [mu, eta]);
             (low, high) = (low.min(forced), high.max(forced));
             (slowest, fastest) = (slowest.min(natural), fastest.max(natural));
         }
@@ -262,6 +277,28 @@ impl Sampler<'_> {
             }
         }
         Ok(())
+    }
+}
+
+impl Description {
+    /// The mean derivatives of the force in x and in v over a period, at rest at a position seen from the wall.
+    pub(crate) fn slopes(&self, position: f64, [mu, eta]: [f64; 2]) -> [f64; 2] {
+        let units = self.units();
+        let period = TAU / self.forcing_frequency(mu, eta);
+        let [by_x, by_v] = [units.length, units.velocity()].map(|unit| NEAR * unit);
+        let mut sum = [0.0; 2];
+        for t in SHARES.map(|share| share * period) {
+            let mut force = self.force_at::<f64, f64>(t, mu, eta);
+            sum[0] += (force(position, 0.0) - force(position - by_x, 0.0)) / by_x;
+            sum[1] += (force(position, by_v) - force(position, -by_v)) / (2.0 * by_v);
+        }
+        sum.map(|sum| sum / SHARES.len() as f64)
+    }
+
+    /// The natural frequency of small motion about a position seen from the wall, in radians per unit of time;
+    /// 0 if the force does not drive back to there.
+    pub fn natural_frequency(&self, position: f64, parameters: [f64; 2]) -> f64 {
+        (-self.slopes(position, parameters)[0]).max(0.0).sqrt()
     }
 }
 

@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
+use crate::error::KeyPlace;
 use crate::expression::Expression;
 use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Ordinate, Side};
 
@@ -20,6 +21,7 @@ pub(crate) struct Content {
     pub(crate) file: File,
     pub(crate) formulas: Formulas,
     pub(crate) texts: Expressions<String>,
+    pub(crate) places: Expressions<KeyPlace>,
     pub(crate) start: Option<[f64; 2]>,
     pub(crate) mass: Option<Expression>,
     pub(crate) curves: Vec<OwnCurve>,

@@ -44,6 +44,7 @@ mod error;
 mod expression;
 mod file;
 mod names;
+mod part;
 mod read;
 mod validate;
 

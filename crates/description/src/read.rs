@@ -39,12 +39,12 @@ impl Description {
     /// [`DescriptionError::Ended`] once the computation is cancelled.
     pub fn parse_with(text: &Text, file: &str, stop: &Stop) -> Result<Description, DescriptionError> {
         let source = Source::new(text, file, &REQUIREMENTS);
-        let (mut description, places) = source
+        let mut description = source
             .whole(|file| validate::description(&file, stop))
             .map_err(|error| if stop.is_asked() { DescriptionError::Ended } else { error })?;
         let content = Arc::make_mut(&mut description.0);
         content.units = OnceLock::from(Description(Arc::new(content.clone())).units_until(stop));
-        let notes = checks::samples(&description, &places, stop)?;
+        let notes = checks::samples(&description, stop)?;
         Arc::make_mut(&mut description.0).notes = notes;
         Ok(description)
     }
@@ -90,16 +90,15 @@ mod tests {
         let text = Text::new(include_str!("../../../examples/shaking-table.toml"), &[]);
         let stop = Stop::default();
         let source = Source::new(&text, "shaking-table.toml", &REQUIREMENTS);
-        let (description, places) =
-            source.whole(|file| validate::description(&file, &stop)).expect("it is right");
-        assert!(checks::samples(&description, &places, &stop).is_ok());
+        let description = source.whole(|file| validate::description(&file, &stop)).expect("it is right");
+        assert!(checks::samples(&description, &stop).is_ok());
         let sizes = || {
             let units = description.units_until(&stop);
             [units.length, units.time]
         };
         assert_ne!(sizes(), [1.0; 2]);
         stop.ask();
-        assert_eq!(checks::samples(&description, &places, &stop), Err(DescriptionError::Ended));
+        assert_eq!(checks::samples(&description, &stop), Err(DescriptionError::Ended));
         // The units are the default ones of an oscillator about which nothing is known.
         assert_eq!(sizes(), [1.0; 2]);
         let read = Description::parse_with(&text, "shaking-table.toml", &stop);

@@ -72,10 +72,7 @@ pub(crate) fn mass(file: &File, stop: &Stop) -> Result<Option<Expression>, Expre
 /// Checks everything that can be checked without evaluating an expression; returns some error once
 /// the computation is cancelled. If the file has no wall, the place of the wall's expression is
 /// that of the force.
-pub(crate) fn description(
-    section: &Section<'_>,
-    stop: &Stop,
-) -> Result<(Description, Expressions<KeyPlace>), DescriptionError> {
+pub(crate) fn description(section: &Section<'_>, stop: &Stop) -> Result<Description, DescriptionError> {
     let mut file = File::read(section)?;
     names::check(section, &file)?;
     check_number(section, &file)?;
@@ -159,8 +156,8 @@ pub(crate) fn description(
     };
     let curves = file.curves.iter().zip(1..).map(curve).collect::<Result<_, _>>()?;
     let (notes, units) = (Vec::new(), OnceLock::new());
-    let content = Content { file, formulas, texts, start, mass, curves, diagrams, notes, units };
-    Ok((Description(Arc::new(content)), places))
+    let content = Content { file, formulas, texts, places, start, mass, curves, diagrams, notes, units };
+    Ok(Description(Arc::new(content)))
 }
 
 /// Rejects too many constants.

@@ -1,9 +1,11 @@
-//! Descriptions of oscillators: accepted texts, messages about mistakes, and the examples.
+//! Descriptions of oscillators: accepted texts, messages about mistakes, the examples, and
+//! the part of a plane in which a description is valid.
 
 mod evaluation;
 mod examples;
 mod literature;
 mod messages;
+mod part;
 mod random_texts;
 mod sizes;
 mod third_order;

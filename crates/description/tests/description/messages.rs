@@ -328,6 +328,11 @@ fn what_may_not_be_meant_is_said() {
     noted(&[("zeta = 0.1", "zeta = 0.2", "")]);
     noted(&[("zeta = 0.1", "zeta = -0.1", "the sign of the damping")]);
     noted(&[("- x -", "- 1000*x -", "a natural frequency of about 31.6")]);
+    noted(&[("- x - kappa*x^3", "+ x + kappa*x^3", "the sign of the spring")]);
+    noted(&[("- x - kappa*x^3", "+ 0.3*x*kappa", "0.06 x at A = 0, omega = 0.4")]);
+    // A beam that has buckled, and a spring that softens until it pushes away.
+    noted(&[("- x -", "+ x -", "")]);
+    noted(&[("- x - kappa*x^3", "- x + kappa*x^3", "")]);
     noted(&[("name = \"omega\"", "name = \"omega\"\nunit = \"Hz\"", "2*pi*omega")]);
 }
 
