@@ -5,6 +5,7 @@
 mod described;
 pub mod family;
 pub mod limits;
+pub mod nothing;
 pub mod one_parameter;
 pub mod place;
 pub mod plane;

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_analysis::family::{Plan, Record, assemble, names, records};
+use grazing_analysis::nothing::Nothing;
 use grazing_description::{Description, Limits};
 use grazing_model::smooth::Stop;
 use grazing_results::brief;
@@ -25,7 +26,6 @@ use crate::outputs::family::{FAMILY, NamedFamily};
 use crate::outputs::latex;
 use crate::part::{self, Joined};
 use crate::progress::Display;
-use crate::unfold::reason;
 use crate::variation::{MOST_MEMBERS, Part, Variation};
 use crate::{data_page, terminal};
 use origin::FamilyWork;
@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     ));
     let watch = Watch::begin(arguments.limits.over(limits(&description, members.len())), taken);
     let display = Display::counting(watch.stop());
-    let tell = |description: &Description, error: &_| reason::of(error, description);
+    let tell = |description: &Description, error: &_| Nothing::new(error, description).to_string();
     let found = records(&plan, &members, &tell, &watch.stop(), &display);
     let cause = watch.end_cause().filter(|_| found.iter().any(Option::is_none));
     match arguments.part {

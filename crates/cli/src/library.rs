@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use grazing_analysis::family::records;
+use grazing_analysis::nothing::Nothing;
 use grazing_analysis::place::simulated;
 use grazing_description::{Description, Limits};
 use grazing_drawing::SheetWidth;
@@ -29,7 +30,7 @@ use crate::outputs::oscillator::AnalysedOscillator;
 use crate::outputs::{ComputedOutput, paper};
 use crate::project::{PARAMETERS, PARAMETERS_TEXT};
 use crate::unfold::analysis::analyse_prepared;
-use crate::unfold::{listing, page, places, reason};
+use crate::unfold::{listing, page, places};
 use crate::variation::Variation;
 
 /// The results of a computation.
@@ -195,7 +196,7 @@ impl Task<'_> {
         let ((description, plan, members), taken) = reading(file, Limits::USUAL, read)?;
         let watch = Watch::begin(family::limits(&description, members.len()), taken);
         let progress = (self.report)(watch.stop());
-        let tell = |description: &_, error: &_| reason::of(error, description);
+        let tell = |description: &_, error: &_| Nothing::new(error, description).to_string();
         let found = records(&plan, &members, &tell, &watch.stop(), &*progress);
         let missing = found.iter().filter(|record| record.is_none()).count();
         if missing == plan.count() {

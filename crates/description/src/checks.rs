@@ -40,7 +40,7 @@ type Checked = Result<(), DescriptionError>;
 /// computation is cancelled; returns notes on values that are allowed but perhaps not intended.
 pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<String>, DescriptionError> {
     let sampler = Sampler::new(description);
-    let parameters = sampler.parameters();
+    let parameters = description.sampled();
     for check in Sampler::CHECKS {
         for &parameters in &parameters {
             if stop.is_asked() {
@@ -86,19 +86,6 @@ impl<'a> Sampler<'a> {
 
     fn impact_velocities(&self) -> [f64; 5] {
         IMPACT_VELOCITIES.map(|y| y * self.units.velocity())
-    }
-
-    fn parameters(&self) -> Vec<[f64; 2]> {
-        let along = |[lower, upper]: [f64; 2]| {
-            (0..ALONG).map(move |i| {
-                let share = f64::from(i) / f64::from(ALONG - 1);
-                lower * (1.0 - share) + upper * share
-            })
-        };
-        let primary = self.description.primary().range();
-        along(self.description.secondary().range())
-            .flat_map(|eta| along(primary).map(move |mu| [mu, eta]))
-            .collect()
     }
 
     /// The parameters and further variables as text, by name.
@@ -230,13 +217,9 @@ impl<'a> Sampler<'a> {
     /// A note if the natural frequency, of small motion beside the wall, is far from those of the
     /// forcing.
     fn far<'p>(&self, parameters: impl Iterator<Item = &'p [f64; 2]>) -> Option<String> {
-        let ([mut low, mut slowest], [mut high, mut fastest]) = ([f64::INFINITY; 2], [0.0_f64; 2]);
-        for &[mu, eta] in parameters {
-            let forced = self.description.forcing_frequency(mu, eta);
-            let natural = self.description.natural_frequency(0.0, [mu, eta]);
-            (low, high) = (low.min(forced), high.max(forced));
-            (slowest, fastest) = (slowest.min(natural), fastest.max(natural));
-        }
+        let [low, high] = self.description.forcing_frequencies();
+        let natural = |&at: &[f64; 2]| self.description.natural_frequency(0.0, at);
+        let [slowest, fastest] = extent(parameters.map(natural));
         (slowest > FAR * high || fastest * FAR < low && fastest > 0.0).then(|| {
             format!(
                 "{}: free motion at the wall has a natural frequency of about {}, and the forcing has {} to {}, in \
@@ -281,6 +264,23 @@ impl<'a> Sampler<'a> {
 }
 
 impl Description {
+    /// Places of the ranges at which the description is checked.
+    fn sampled(&self) -> Vec<[f64; 2]> {
+        let along = |[lower, upper]: [f64; 2]| {
+            (0..ALONG).map(move |i| {
+                let share = f64::from(i) / f64::from(ALONG - 1);
+                lower * (1.0 - share) + upper * share
+            })
+        };
+        let primary = self.primary().range();
+        along(self.secondary().range()).flat_map(|eta| along(primary).map(move |mu| [mu, eta])).collect()
+    }
+
+    /// The lowest and the highest forcing frequency in the ranges, in radians per unit of time.
+    pub fn forcing_frequencies(&self) -> [f64; 2] {
+        extent(self.sampled().into_iter().map(|[mu, eta]| self.forcing_frequency(mu, eta)))
+    }
+
     /// The mean derivatives of the force in x and in v over a period, at rest at a position seen from the wall.
     pub(crate) fn slopes(&self, position: f64, [mu, eta]: [f64; 2]) -> [f64; 2] {
         let units = self.units();
@@ -300,6 +300,12 @@ impl Description {
     pub fn natural_frequency(&self, position: f64, parameters: [f64; 2]) -> f64 {
         (-self.slopes(position, parameters)[0]).max(0.0).sqrt()
     }
+}
+
+/// The least and the greatest of some numbers.
+fn extent(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], number| [low.min(number), high.max(number)])
 }
 
 fn wrong(place: &KeyPlace, problem: String) -> DescriptionError {

@@ -7,31 +7,31 @@ use crate::description::Description;
 
 /// The number of cells of the lattice along either parameter, at whose corners places are checked.
 const CELLS: usize = 24;
+/// The number of times that a cell is halved to find where the sides lie.
+const HALVINGS: i32 = 5;
 /// The ratio of the highest forcing frequency in the ranges to the lowest that is allowed outside of them: as the
 /// period grows without limit, so does the number of resonances.
 const SLOWEST: f64 = 16.0;
 
 impl Description {
-    /// The largest rectangle of places in these ranges at which the checks of a file pass, up to the cells of
-    /// a lattice; the ranges need not be those of the file. None if there is none, or once the computation is
+    /// The largest rectangle of places in these ranges at which the checks of a file pass, as far as a
+    /// lattice shows; the ranges need not be those of the file. None if there is none, or once the computation is
     /// cancelled.
     pub fn valid_part(&self, ranges: [[f64; 2]; 2], stop: &Stop) -> Option<[[f64; 2]; 2]> {
+        if !ranges.iter().all(|[low, high]| low < high) {
+            return None;
+        }
         let sampler = Sampler::new(self);
         let line = |[low, high]: [f64; 2], line: usize| {
             let share = line as f64 / CELLS as f64;
             low * (1.0 - share) + high * share
         };
-        let corners = [0, 1].map(|k| [self.primary(), self.secondary()][k].range());
-        let corners = [0, 1].into_iter().flat_map(|i| [0, 1].map(|j| [corners[0][i], corners[1][j]]));
-        let frequencies = corners.map(|[mu, eta]| self.forcing_frequency::<f64>(mu, eta));
-        let [low, high] = frequencies.fold([f64::INFINITY, 0.0_f64], |[low, high], frequency| {
-            [low.min(frequency), high.max(frequency)]
-        });
+        let [low, high] = self.forcing_frequencies();
         let slowest = low.min(high / SLOWEST);
-        let valid = |i: usize, j: usize| {
-            let at = [line(ranges[0], i), line(ranges[1], j)];
+        let passes = |at: [f64; 2]| {
             !stop.is_asked() && self.forcing_frequency::<f64>(at[0], at[1]) >= slowest && sampler.passes(at)
         };
+        let valid = |i: usize, j: usize| passes([line(ranges[0], i), line(ranges[1], j)]);
         let valid: Vec<Vec<bool>> = (0..=CELLS).map(|i| (0..=CELLS).map(|j| valid(i, j)).collect()).collect();
         let mut largest = (0, [[0; 2]; 2]);
         for first in 0..=CELLS {
@@ -52,6 +52,27 @@ impl Description {
             }
         }
         let (area, cells) = largest;
-        (area > 0 && !stop.is_asked()).then(|| [0, 1].map(|k| cells[k].map(|at| line(ranges[k], at))))
+        if area == 0 {
+            return None;
+        }
+        let mut part = [0, 1].map(|k| cells[k].map(|at| line(ranges[k], at)));
+        // Each side moves out by parts of a cell.
+        for halving in 1..=HALVINGS {
+            for (k, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let [low, high] = ranges[k];
+                let outwards = if end == 0 { -1.0 } else { 1.0 };
+                let step = (high - low) / CELLS as f64 * 0.5_f64.powi(halving);
+                let side = (part[k][end] + outwards * step).clamp(low, high);
+                let along = part[1 - k];
+                let places = (0..=CELLS).map(|at| match k {
+                    0 => [side, line(along, at)],
+                    _ => [line(along, at), side],
+                });
+                if side != part[k][end] && places.clone().all(passes) {
+                    part[k][end] = side;
+                }
+            }
+        }
+        (!stop.is_asked()).then_some(part)
     }
 }

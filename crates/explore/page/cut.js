@@ -5,7 +5,7 @@ import { chart, clipped, trace, write } from "./axes.js";
 import { Latest, stream } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { margins, redraw, shown as marks, titleOf } from "./plane.js";
-import { told } from "./place.js";
+import { showPlane, told } from "./place.js";
 import { heightTitle } from "./portraits.js";
 import { curveInk, inks, loopsInk, loopsNames, onTheme, wordInk } from "./palette.js";
 import * as state from "./state.js";
@@ -29,6 +29,7 @@ const say = (words) => {
 
 function fail({ message }) {
   $("cut").removeAttribute("aria-busy");
+  asked = "";
   say(message);
   draw();
 }
@@ -70,6 +71,7 @@ const request = rested(200, () => {
   const ordinate = ordinateOf(value);
   const key = JSON.stringify(body);
   if (key === asked) return;
+  say("");
   $("cut").setAttribute("aria-busy", "true");
   draw();
   latest.now(async (signal) => {
@@ -96,7 +98,10 @@ export const shown = () => answer;
 
 export function follow(value) {
   const on = value.cut !== null && value.place !== null;
+  const opens = on && $("cut-panel").hidden;
   $("cut-panel").hidden = !on;
+  document.body.classList.toggle("cutting", on);
+  if (opens) showPlane();
   for (const name of ["primary", "secondary"]) {
     document.querySelector(`[data-command="${name === "secondary" ? "horizontal" : "vertical"}"]`).setAttribute("aria-pressed", value.cut === name);
   }

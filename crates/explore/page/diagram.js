@@ -2,8 +2,8 @@
 import { $, count, later, make, number, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { isNumbered, lasting } from "./lasting.js";
-import { axisPieces, elements } from "./markup.js";
-import { description, modelOf, viewOf } from "./model.js";
+import { axisPieces, elements, plain } from "./markup.js";
+import { description, modelOf, noteOf, viewOf } from "./model.js";
 import { drawSamples } from "./palette.js";
 import * as state from "./state.js";
 
@@ -12,7 +12,7 @@ import * as state from "./state.js";
  * that do not belong to the wanted model are faded.
  */
 export const diagram = {
-  curves: new Map(), points: [], regions: [], resonances: [], notes: [], measured: null, of: { points: "", regions: "" }, wanted: "", version: 0,
+  curves: new Map(), points: [], regions: [], resonances: [], notes: [], part: null, of: { points: "", regions: "" }, wanted: "", version: 0,
   get stale() {
     return this.of.regions !== this.wanted;
   },
@@ -37,6 +37,8 @@ export const isBusy = () => latest.running !== null;
 
 /** The key of the diagram in view if it was computed in full, so that nothing is computed twice; and its summary. */
 let computed = "";
+/** Whether the diagram of the state is there in full. */
+export const isWhole = () => computed !== "" && computed === JSON.stringify(request(state.get(), false));
 let summary = "";
 /** The curves known only by a number, as last seen: a coarse diagram has few of them. */
 let numbered = [];
@@ -66,15 +68,23 @@ export function clear() {
   computed = "";
   numbered = [];
   diagram.curves.clear();
-  Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], measured: null, version: diagram.version + 1 });
+  Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], part: null, version: diagram.version + 1 });
   list();
   changed();
 }
+
+/** The part of the view that is drawn. */
+export const drawnView = (value) => (diagram.part?.of === wantedOf(value) && JSON.stringify(diagram.part.whole) === JSON.stringify(viewOf(value)) ? diagram.part.view : viewOf(value));
 
 /** Shows words beside the progress line. */
 export function say(words, bad = false) {
   $("progress-text").textContent = $("progress-text").title = words;
   $("progress-text").classList.toggle("bad", bad);
+}
+
+/** Says again what the diagram in view is, if nothing is being computed. */
+export function resay() {
+  if (!isBusy()) say(summary);
 }
 
 function finish() {
@@ -91,7 +101,14 @@ export function stop() {
 }
 
 function request(value, coarse) {
-  return { model: modelOf(value), view: viewOf(value), coarse, measured: coarse ? null : value.data };
+  return { model: modelOf(value), view: viewOf(value), coarse };
+}
+
+/** What is not drawn of the view, and why. */
+function notDrawn({ view, reason }, whole) {
+  const cut = ["primary", "secondary"].filter((axis) => [0, 1].some((end) => view[axis][end] !== whole[axis][end]));
+  const ranges = cut.map((axis) => `${plain(axisPieces(description[axis]))} from ${view[axis].map((value) => number(value, 3)).join(" to ")}`);
+  return `Drawn for ${ranges.join(", ")} alone; elsewhere ${reason}.`;
 }
 
 const job = (body) => async (signal) => {
@@ -101,8 +118,8 @@ const job = (body) => async (signal) => {
   const seen = new Set();
   const names = new Map();
   let latestNotes = [];
-  let measured = null;
-  let nothing = "";
+  let nothing = null;
+  let part = null;
   // While something else is being edited, the words are about that.
   const tell = (words) => diagram.wanted === TYPED || say(words);
   if (!coarse) {
@@ -149,16 +166,18 @@ const job = (body) => async (signal) => {
     notes(notes) {
       latestNotes = notes;
     },
-    measured(told) {
-      measured = told;
-    },
     nothing(reason) {
       nothing = reason;
+    },
+    part(told) {
+      part = told;
+      diagram.part = { view: told.view, whole: view, of };
     },
     done({ seconds }) {
       drop();
       numbered = [...(coarse ? numbered.filter(({ key }) => !seen.has(key)) : []), ...[...diagram.curves.values()].filter(isNumbered)];
-      diagram.notes = latestNotes;
+      diagram.notes = [...(nothing ? [`${nothing.found}. ${nothing.question}`] : []), ...(part ? [notDrawn(part, view)] : []), ...latestNotes];
+      if (!part) diagram.part = null;
       diagram.version += 1;
       finish();
       // If dragging has gone on meanwhile, the previous diagram is shown, unless it is too old; a diagram of a file
@@ -168,10 +187,11 @@ const job = (body) => async (signal) => {
         if (of === wantedOf(state.get())) want(of);
       }
       if (!coarse) {
-        diagram.measured = measured;
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
-        summary = nothing ? `No grazing and no MPS curve in this view: ${nothing.replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => number(Number(digits)))}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
+        const took = seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`;
+        summary = nothing ? `No grazing and no MPS curve in this view: ${nothing.found.replace(/^no grazing[a-z ]*: /, "")}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${took}.`;
+        if (part) summary += ` ${notDrawn(part, view)}`;
         tell(summary);
       }
       list();
@@ -202,7 +222,7 @@ const rest = rested(RESTS, () => {
   }
   latest.stop();
   finish();
-  say(summary);
+  resay();
 });
 
 /** Makes the diagram of the state the wanted one again, after something else was edited. */
@@ -234,10 +254,19 @@ function legend() {
   drawSamples();
 }
 
-/** The tables under the plane: resonances, and gaps. */
-function list() {
-  const { resonances, notes } = diagram;
+/** The notes on the file that were shown last. */
+let noted = "";
+
+/** The tables under the plane: resonances, and notes: those on the file, and what is missing. */
+export function list() {
+  const { resonances } = diagram;
+  const notes = [...(description?.notes ?? []).map(noteOf), ...diagram.notes];
   legend();
+  // Those on the file are shown at once.
+  if (description && description.notes.join() !== noted) {
+    noted = description.notes.join();
+    if (noted) $("notes").open = true;
+  }
   $("notes-count").textContent = notes.length;
   $("notes").hidden = notes.length === 0;
   $("notes-list").replaceChildren(...notes.map((note) => make("li", {}, note)));

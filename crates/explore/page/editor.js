@@ -2,7 +2,7 @@
 import { $, make, rested } from "./dom.js";
 import { ask, Latest } from "./api.js";
 import * as diagram from "./diagram.js";
-import { exampleOf, examples, textOf } from "./model.js";
+import { exampleOf, examples, noteOf, textOf } from "./model.js";
 import * as state from "./state.js";
 
 const RESTS = 350;
@@ -13,7 +13,7 @@ export const onTaken = (act) => (taken = act);
 
 /** Shows the text with the mistake marked, if there is one. */
 export function tell(answer) {
-  const { ok, message, line, span } = answer;
+  const { ok, message, line, span, notes = [] } = answer;
   const text = $("text").value;
   const lines = text.split("\n");
   $("gutter").replaceChildren(...lines.map((_, at) => make("span", { class: !ok && at + 1 === line ? "wrong" : "" }, `${at + 1}\n`)));
@@ -21,7 +21,7 @@ export function tell(answer) {
   const callout = $("callout");
   callout.hidden = ok || !line;
   $("verdict").className = ok ? "good" : "bad";
-  $("verdict").textContent = ok ? "The file is valid." : `${line ? `Line ${line}: ` : ""}${message}`;
+  $("verdict").textContent = ok ? ["The file is valid.", ...notes.map(noteOf)].join(" ") : `${line ? `Line ${line}: ` : ""}${message}`;
   $("go-to-mistake").hidden = ok || !line;
   if (ok || !line) {
     marks.replaceChildren(`${text}\n`);
@@ -64,8 +64,8 @@ export function check(model) {
     const answer = described.ok && changed ? await ask("check", model, signal) : described;
     if (signal.aborted) return;
     // Text that is being edited has its own verdict.
-    if (!$("editor").hidden && text === $("text").value) tell(answer);
-    if (described.ok) taken(described);
+    if (text === $("text").value) tell(answer);
+    if (described.ok) taken({ ...described, notes: answer.notes ?? described.notes });
     if (!answer.ok) taken(answer);
   });
 }
@@ -77,7 +77,11 @@ const edited = rested(RESTS, async () => {
     if (signal.aborted) return;
     if (!answer.ok) return taken(answer);
     tell(answer);
-    if (text === textOf(state.get())) return diagram.resume();
+    if (text === textOf(state.get())) {
+      // What was said of the mistake elsewhere is said no more.
+      taken(answer);
+      return diagram.resume();
+    }
     // Constants that the new file does not have are forgotten.
     const names = new Set(answer.constants.map(({ name }) => name));
     const set = Object.fromEntries(Object.entries(state.get().set).filter(([name]) => names.has(name)));

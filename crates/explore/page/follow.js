@@ -1,12 +1,12 @@
 // The curve through a solution at the place along which the impact velocity is constant.
 import { number } from "./dom.js";
 import { ask, Latest } from "./api.js";
-import { say } from "./diagram.js";
+import { resay, say } from "./diagram.js";
 import { modelOf, viewOf } from "./model.js";
 import * as state from "./state.js";
 
-const latest = new Latest({ failed: ({ message }) => say(`Not followed: ${message}`, true) });
-let [curves, asked] = [[], ""];
+const latest = new Latest({ failed: ({ message }) => ((failed = true), say(`Not followed: ${message}`, true)) });
+let [curves, asked, failed] = [[], "", false];
 let changed = () => {};
 export const onFollowed = (act) => (changed = act);
 
@@ -15,13 +15,17 @@ export const followed = () => curves;
 
 export function follow(value, live) {
   if (live) return;
-  if (!value.follow) {
+  const body = value.follow && { model: modelOf(value), view: viewOf(value), ...value.follow };
+  if (failed && JSON.stringify(body) !== asked) {
+    failed = false;
+    resay();
+  }
+  if (!body) {
     latest.stop();
     if (curves.length > 0) changed();
     [curves, asked] = [[], ""];
     return;
   }
-  const body = { model: modelOf(value), view: viewOf(value), ...value.follow };
   const of = JSON.stringify(body.model);
   if (JSON.stringify(body) === asked) return;
   asked = JSON.stringify(body);

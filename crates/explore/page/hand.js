@@ -82,7 +82,7 @@ function tell(x, y) {
 /** Attaches the handlers of pointers on the plane. */
 export function attach() {
   const stage = $("stage");
-  let [doing, pressed] = [null, null];
+  let [doing, pressed, origin] = [null, null, null];
   const point = ({ clientX, clientY }) => {
     const { left, top } = stage.getBoundingClientRect();
     return [clientX - left, clientY - top];
@@ -96,13 +96,18 @@ export function attach() {
     press(event, held) {
       stage.setPointerCapture(event.pointerId);
       $("plane").focus({ preventScroll: true });
-      if (held > 0) doing = "pinch";
-      else if (event.shiftKey || boxing) {
+      if (held > 0) {
+        // A pinch that begins at the ring does not move it.
+        if (doing === "place") state.update({ place: origin }, true);
+        shown.box = null;
+        doing = "pinch";
+      } else if (event.shiftKey || boxing) {
         doing = "box";
         shown.box = [...clamp(point(event)), ...clamp(point(event))];
       } else if (event.target.id === "handle" && event.button === 0) {
         // The drag holds the ring itself, without an offset of the pointer.
         doing = "place";
+        origin = state.get().place;
         state.update({ place: at(event) }, true);
       } else doing = "point";
       pressed = point(event);

@@ -46,13 +46,13 @@ const COMMANDS = {
   leave: () => state.update({ place: null, kept: null, cut: null }),
   edit: () => state.update({ edit: !state.get().edit }),
   stop: diagram.stop,
-  share: () => share.open(),
-  export: () => share.open("export"),
+  share: share.share,
+  export: share.save,
   help: () => $("help").showModal(),
 };
 
 /** The keys of the plane; a question mark opens the help anywhere. */
-const KEYS = { "+": "in", "=": "in", "-": "out", 0: "whole", "[": "back", "]": "forward", b: "box", h: "horizontal", v: "vertical", k: "keep", o: "overlay", t: "straighten", m: "measured", e: "edit", s: "share", Escape: "stop" };
+const KEYS = { "+": "in", "=": "in", "-": "out", 0: "whole", "[": "back", "]": "forward", b: "box", h: "horizontal", v: "vertical", k: "keep", o: "overlay", t: "straighten", m: "measured", e: "edit", s: "share", x: "export", Escape: "stop" };
 
 function keys() {
   $("plane").addEventListener("keydown", (event) => {
@@ -95,13 +95,13 @@ function follow(value, changed, live) {
 
 function showAll(value, changed, live) {
   constants.follow(value);
-  if (["set", "loops", "view", "data", ...OSCILLATOR].some((name) => changed.has(name))) diagram.follow(value, live, changed.has("set"));
+  if (["set", "loops", "view", ...OSCILLATOR].some((name) => changed.has(name))) diagram.follow(value, live, changed.has("set"));
   place.follow(value, changed, live);
   cut.follow(value);
   following.follow(value, live);
   tiles.follow(value, changed);
   straightened.follow();
-  measured.list();
+  measured.follow();
   // While a constant is dragged, the plane is redrawn as results arrive.
   if (!live || !changed.has("set")) redraw();
 }
@@ -127,6 +127,7 @@ function taken(answer) {
   const key = JSON.stringify([model.textOf(value)]);
   const all = key !== described;
   described = key;
+  diagram.list();
   if (all) showAll(value, new Set(["example", "text", "set", "loops", "view", "place", "kept", "cut", "ordinate", "follow", "overlay", "data"]), false);
   else {
     constants.follow(value);
@@ -155,7 +156,7 @@ async function start() {
     redraw();
     tiles.shaded();
     straightened.follow();
-    measured.list();
+    measured.follow();
   });
   onTheme(redraw);
   onTheme(drawSamples);

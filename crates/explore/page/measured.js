@@ -1,7 +1,11 @@
-// Measurements: a CSV that is opened or dropped, its marks over the diagram, and the agreement region by region.
+// Measurements: a CSV that is opened or dropped, its marks over the diagram, and the agreement region by region. The
+// file is read at once; it is compared when the diagram in view is complete, which is not computed again for it.
+import { ask, Latest, stream } from "./api.js";
 import { $, count, make } from "./dom.js";
-import { diagram } from "./diagram.js";
+import { isWhole } from "./diagram.js";
+import { modelOf, viewOf } from "./model.js";
 import { inks, onTheme } from "./palette.js";
+import { redraw } from "./plane.js";
 import * as state from "./state.js";
 
 /** Half the size of a mark in pixels. */
@@ -17,6 +21,73 @@ const SHAPES = {
   "other motion": ring(4).map(([x, y]) => [1.25 * x, 1.25 * y]),
   bifurcation: [[-0.35, -1.2], [0.35, -1.2], [0.35, -0.35], [1.2, -0.35], [1.2, 0.35], [0.35, 0.35], [0.35, 1.2], [-0.35, 1.2], [-0.35, 0.35], [-1.2, 0.35], [-1.2, -0.35], [-0.35, -0.35]],
 };
+/** The file as it was read: { of, points, columns }, or { of, message } with its first mistake; null before. */
+let file = null;
+/** The comparison: { of, counts, outside, verdicts by line }, or { of, message }; null before. */
+let compared = null;
+/** The progress of the comparison. */
+let progress = "";
+const keyOf = (...parts) => JSON.stringify(parts);
+const reading = new Latest({ failed: ({ message }) => told(() => (file = { of: reading.of, points: [], message })) });
+const comparing = new Latest({ failed: ({ message }) => told(() => (compared = { of: comparing.of, message })) });
+
+/** The measurements, with verdicts where they have been compared. */
+export const points = () => (state.get().data && file ? file.points.map((point) => ({ ...point, ...compared?.verdicts?.get(point.line) })) : []);
+
+function told(change) {
+  change();
+  list();
+  redraw();
+}
+
+/** Reads the file in the state if it has changed, and compares it once the diagram is there. */
+export function follow() {
+  const { data } = state.get();
+  const model = modelOf(state.get());
+  if (!data) {
+    reading.stop();
+    comparing.stop();
+    if (file) told(() => ([file, compared, reading.of, comparing.of] = [null, null, "", ""]));
+    return;
+  }
+  const of = keyOf(model.text, data);
+  if (reading.of !== of) {
+    // What was told of another file does not stay.
+    reading.of = of;
+    told(() => ([file, compared] = [null, null]));
+    reading.now(async (signal) => {
+      const read = await ask("measured", { model, measured: data }, signal);
+      if (signal.aborted) return;
+      told(() => (file = { of, ...read }));
+      follow();
+    });
+  }
+  compare(data, model);
+}
+
+function compare(data, model) {
+  const body = { model, view: viewOf(state.get()), measured: data };
+  const of = keyOf(body);
+  if (compared && compared.of !== of) told(() => (compared = null));
+  if (comparing.of === of && (comparing.running || compared)) return;
+  comparing.stop();
+  comparing.of = "";
+  if (!file || file.message || !isWhole()) return;
+  comparing.of = of;
+  progress = "";
+  const on = {
+    progress({ done, all }) {
+      progress = all > 0 ? `, ${done} of ${all}` : "";
+      list();
+    },
+    measured({ points: verdicts, counts, outside }) {
+      told(() => (compared = { of, counts, outside, verdicts: new Map(verdicts.map((point) => [point.line, point])) }));
+    },
+  };
+  comparing.now((signal) => stream("compare", body, on, signal));
+  list();
+}
+
 const isAsComputed = (agreement) => agreement === "agrees" || agreement === "within error";
 
 /** Draws the mark of a measurement about a pixel: filled if it agrees, crossed if it does not. */
@@ -44,24 +115,24 @@ function mark(context, { kind, agreement }, [x, y], ink) {
 
 /** Draws all measurements over the plane, with error bars; disagreeing ones lie on top. */
 export function drawMeasured(context, to, ink) {
-  const points = [...(diagram.measured?.points ?? [])].sort((a, b) => (a.agreement === "disagrees") - (b.agreement === "disagrees"));
+  const all = points().sort((a, b) => (a.agreement === "disagrees") - (b.agreement === "disagrees"));
   context.strokeStyle = ink.muted;
   context.lineWidth = 1;
   context.beginPath();
-  for (const { at: [p, s], errors: [dp, ds] } of points) {
+  for (const { at: [p, s], errors: [dp, ds] } of all) {
     for (const ends of [[[p - dp, s], [p + dp, s]], [[p, s - ds], [p, s + ds]]]) {
       context.moveTo(...to(ends[0]));
       context.lineTo(...to(ends[1]));
     }
   }
   context.stroke();
-  for (const point of points) mark(context, point, to(point.at), ink);
+  for (const point of all) mark(context, point, to(point.at), ink);
 }
 
 /** The measurement at a pixel, in words. */
 export function tellMeasured([x, y], to) {
-  const near = (diagram.measured?.points ?? []).find(({ at }) => Math.hypot(to(at)[0] - x, to(at)[1] - y) < 1.5 * SIZE);
-  return near ? `measured (line ${near.line}): ${near.seen}, ${near.agreement}${near.reason ? `: ${near.reason}` : ""}` : "";
+  const near = points().find(({ at }) => Math.hypot(to(at)[0] - x, to(at)[1] - y) < 1.5 * SIZE);
+  return near ? `measured (line ${near.line}): ${near.seen}${near.agreement ? `, ${near.agreement}` : ""}${near.reason ? `: ${near.reason}` : ""}` : "";
 }
 
 function sample(kind, agreement) {
@@ -72,38 +143,42 @@ function sample(kind, agreement) {
   return canvas;
 }
 
-/** The comparison that is listed. */
-let listed = null;
-
-/** Lists how many measurements agree, region by region, and which do not. */
-export function list(anew = false) {
+/** Lists what the file has, how many measurements agree, region by region, and which do not. */
+function list() {
   const { data } = state.get();
-  const told = data && diagram.measured;
   $("measured").hidden = data === null;
-  if (told === listed && !anew) return;
-  listed = told;
   if (!data) return;
   $("measured-file").textContent = data.name;
-  const wrong = told?.message ?? "";
+  const wrong = file?.message ?? compared?.message ?? "";
   $("measured-message").textContent = wrong;
   $("measured-message").hidden = wrong === "";
-  for (const name of ["marks", "table", "against", "outside"]) $(`measured-${name}`).hidden = !told || wrong !== "";
-  if (!told || wrong) return;
-  const kinds = Object.keys(SHAPES).filter((kind) => told.points.some((point) => point.kind === kind));
-  const entries = [...kinds.map((kind) => [sample(kind, "agrees"), kind]), [sample(kinds[0] ?? "no impacts", "disagrees"), "disagrees"], [sample(kinds[0] ?? "no impacts", "undecided"), "undecided"]];
+  const isRead = file !== null && !file.message;
+  const result = isRead && !wrong ? compared : null;
+  $("measured-read").hidden = $("measured-marks").hidden = !isRead;
+  for (const name of ["table", "against", "outside"]) $(`measured-${name}`).hidden = !result;
+  const now = !isRead || result || wrong ? "" : comparing.of ? `Comparing with regions and curves${progress} …` : "Not compared yet: the curves come first.";
+  $("measured-progress").textContent = now;
+  $("measured-progress").hidden = now === "";
+  if (!isRead) return;
+  const all = points();
+  $("measured-read").textContent = `${count(all.length, "measurement")}, from the columns ${file.columns.join(", ")}.`;
+  const kinds = Object.keys(SHAPES).filter((kind) => all.some((point) => point.kind === kind));
+  const entries = kinds.map((kind) => [sample(kind, result ? "agrees" : undefined), kind]);
+  if (result) entries.push([sample(kinds[0], "disagrees"), "disagrees"], [sample(kinds[0], "undecided"), "undecided"]);
   $("measured-marks").replaceChildren(...entries.map((entry) => make("li", {}, ...entry)));
+  if (!result) return;
   const heads = ["region", "p", "all", "agree", "within error", "disagree", "undecided"];
-  const rows = told.counts.map(({ region, kind, p, counts }) => make("tr", {}, ...[region ? `${region}: ${kind === "mps" ? "MPS" : kind}` : kind, kind === "none" ? "–" : p, ...counts].map((cell) => make("td", {}, String(cell)))));
+  const rows = result.counts.map(({ region, kind, p, counts }) => make("tr", {}, ...[region ? `${region}: ${kind === "mps" ? "MPS" : kind}` : kind, kind === "none" ? "–" : p, ...counts].map((cell) => make("td", {}, String(cell)))));
   $("measured-table").replaceChildren(make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))), make("tbody", {}, ...rows));
-  const against = told.points.filter(({ agreement }) => agreement === "disagrees");
+  const against = all.filter(({ agreement }) => agreement === "disagrees");
   const items = against.slice(0, LISTED).map(({ line, seen, reason }) => make("li", {}, `Line ${line}, ${seen}: ${reason}`));
   const more = against.length > LISTED ? [make("li", {}, `and ${against.length - LISTED} more`)] : [];
   $("measured-against").replaceChildren(...items, ...more);
-  $("measured-outside").textContent = told.outside ? `${count(told.outside, "measurement")} outside the view.` : "";
+  $("measured-outside").textContent = result.outside ? `${count(result.outside, "measurement")} outside the view.` : "";
 }
 
-async function open(file) {
-  if (file) state.update({ data: { name: file.name, text: await file.text() } });
+async function open(chosen) {
+  if (chosen) state.update({ data: { name: chosen.name, text: await chosen.text() } });
 }
 
 export const choose = () => $("measured-choose").click();
@@ -121,5 +196,5 @@ export function attach() {
     event.preventDefault();
     open(event.dataTransfer.files[0]);
   });
-  onTheme(() => list(true));
+  onTheme(list);
 }

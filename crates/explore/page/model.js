@@ -11,6 +11,9 @@ export let description = null;
 export const setExamples = (told) => ({ program, examples } = told);
 export const setDescription = (told) => (description = told);
 
+/** A note on the file, with its line. */
+export const noteOf = (note) => note.replace(/^oscillator\.toml:(\d+): /, "Line $1: ").replace(/[^.?]$/, "$&.");
+
 export const exampleOf = (value) => (value.text === null ? (examples.find(({ file }) => file === value.example) ?? examples[0]) : null);
 
 /** The text of the file; null for the paper's own oscillator. */

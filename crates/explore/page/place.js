@@ -42,6 +42,9 @@ function nameOf({ kind, periods, impacts, loops, waited }) {
   return `Periodic: ${count(struck, "impact")} in ${count(periods, "period")}`;
 }
 
+/** The name of a solution with its impact velocity. */
+const mps = ({ p, velocity }) => (p === 0 ? KINDS["non-impacting"] : `MPS, ${count(p, "loop")}, velocity ${number(velocity, 3)}`);
+
 const percent = (share) => `${Math.round(100 * share)} %`;
 /** The share of the states that reach an attractor, or the number of those whose motion is not followed further. */
 const shareOf = ({ share, states }, all) => (share === null ? `${states} of ${all} states` : percent(share));
@@ -178,6 +181,7 @@ class Card {
     const body = this.body_(live);
     return async (signal) => {
       this.element.setAttribute("aria-busy", "true");
+      this.message.hidden = true;
       const began = performance.now();
       const answer = await ask("place", body, signal);
       if (signal.aborted) return;
@@ -193,6 +197,7 @@ class Card {
   }
 
   fail(error) {
+    this.asked = "";
     this.message.textContent = error.message;
     this.message.hidden = false;
     this.body.hidden = true;
@@ -205,7 +210,8 @@ class Card {
     this.hint.hidden = !this.answer.followed;
     const { attractors, solutions } = this.answer;
     const inks = attractorInks(attractors);
-    this.short.textContent = attractors.map((each) => `${nameOf(each)} ${shareOf(each, this.answer.states)}`).join("; ");
+    const missed = this.missed();
+    this.short.textContent = [...attractors.map((each) => `${nameOf(each)} ${shareOf(each, this.answer.states)}`), ...missed.map((each) => `${mps(each)}: stable, not reached`)].join("; ");
     const rows = attractors.map((each, index) => {
       const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
       swatch.style.background = inks[index];
@@ -218,7 +224,14 @@ class Card {
       const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it for four times as long", onclick: () => this.goOn(4 * each.waited) }, "Continue")] : [];
       return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the initial states that reach it" }, shareOf(each, this.answer.states)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
     });
-    this.attractors.replaceChildren(...(rows.length ? rows : [make("li", {}, "No attractor was found.")]));
+    const starts = count(this.answer.states, "random start");
+    const others = missed.map((each) => {
+      const swatch = make("span", { class: "swatch open", "aria-hidden": "true" });
+      swatch.style.color = loopsInk(each.p);
+      return make("li", {}, swatch, make("span", { class: "name" }, mps(each)), make("b", {}, "0 %"), make("span", { class: "detail" }, `stable, but none of the ${starts} reached it`));
+    });
+    const head = make("li", { class: "head" }, `Reached from ${starts}`);
+    this.attractors.replaceChildren(...(rows.length ? [head, ...rows] : [make("li", {}, "No attractor was found.")]), ...others);
     const mark = (yes) => make("td", { class: yes ? "good" : "muted" }, yes ? "yes" : "no");
     const focused = this.table.contains(document.activeElement) ? document.activeElement.dataset.key : null;
     const keys = keysOf(solutions);
@@ -235,6 +248,12 @@ class Card {
     this.solutions.hidden = solutions.length === 0;
     this.offerToFollow();
     this.draw();
+  }
+
+  /** Stable solutions that no start has reached, where all motion was looked for. */
+  missed() {
+    const { solutions, followed } = this.answer;
+    return followed ? [] : solutions.filter(({ stable, admissible, reached }) => stable && admissible && !reached);
   }
 
   /** Follows unsettled motion for longer. */
@@ -284,9 +303,15 @@ class Card {
     const { attractors, solutions } = this.answer;
     const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
     const found = attractors.map((each) => `${nameOf(each)}, ${each.share === null ? shareOf(each, this.answer.states) : `${percent(each.share)} of the states`}`).join("; ");
-    const mps = solutions.filter(({ p, stable, admissible }) => p > 0 && stable && admissible).map(({ p }) => p);
-    speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${mps.length ? `Stable and admissible: p = ${mps.join(", ")}.` : "No MPS is stable and admissible."}`);
+    const stable = solutions.filter((each) => each.p > 0 && each.stable && each.admissible).map(({ p }) => p);
+    const missed = this.missed().map(({ p }) => p);
+    speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${stable.length ? `Stable and admissible: p = ${stable.join(", ")}.` : "No MPS is stable and admissible."}${missed.length ? ` Reached by none of the ${this.answer.states} states: p = ${missed.join(", ")}.` : ""}`);
   }
+}
+
+/** Brings the plane, with the cut below it, above the answer, where this is a sheet over the lower part of the page. */
+export function showPlane() {
+  if (getComputedStyle($("place-section")).position === "fixed") $("stage").scrollIntoView({ block: "start", behavior: "instant" });
 }
 
 let cards = [];
@@ -309,7 +334,6 @@ export function follow(value, moved, live) {
   $("place-hint").hidden = value.place !== null || value.kept !== null;
   const opens = value.place !== null && !document.body.classList.contains("placed");
   document.body.classList.toggle("placed", value.place !== null || value.kept !== null);
-  // If the answer is a sheet over the lower part of the page, the plane is above it.
-  if (opens && getComputedStyle($("place-section")).position === "fixed") $("stage").scrollIntoView({ block: "start", behavior: "instant" });
+  if (opens) showPlane();
   document.body.classList.toggle("two-places", value.place !== null && value.kept !== null);
 }

@@ -6,7 +6,7 @@ import { diagram, strength } from "./diagram.js";
 import { followed } from "./follow.js";
 import { placeLabels } from "./labels.js";
 import { axisPieces } from "./markup.js";
-import { drawMeasured } from "./measured.js";
+import { drawMeasured, points as measured } from "./measured.js";
 import { description, viewOf, wholeView } from "./model.js";
 import { inks, penOf, wordInk } from "./palette.js";
 import * as state from "./state.js";
@@ -86,6 +86,20 @@ function drawRegions(context, regions, ink) {
       context.fill("evenodd");
     }
   }
+  context.globalAlpha = 1;
+}
+
+/** Greys out where the oscillator is not valid. */
+function drawInvalid(context, to, ink) {
+  if (!diagram.part) return;
+  context.fillStyle = ink.faint;
+  context.globalAlpha = strength(diagram.part.of);
+  context.beginPath();
+  for (const { primary: [a, b], secondary: [c, d] } of [diagram.part.whole, diagram.part.view]) {
+    const [[left, bottom], [right, top]] = [to([a, c]), to([b, d])];
+    context.rect(left, top, right - left, bottom - top);
+  }
+  context.fill("evenodd");
   context.globalAlpha = 1;
 }
 
@@ -226,6 +240,7 @@ export function draw() {
   const magnified = isMagnified(view);
   $("quadratic").hidden = !magnified;
   runs = runsInView(to, magnified);
+  drawInvalid(context, to, ink);
   drawRegions(context, regions, ink);
   if (overlay) overlay(context, view);
   drawCurves(context);
@@ -248,10 +263,10 @@ export function draw() {
 const SETTLES = 200;
 
 function drawLabels(context, regions, to, view, ink) {
-  const key = `${diagram.version} ${followed().length && followed()[0].name} ${frame.w} ${frame.h} ${JSON.stringify(view)}`;
+  const key = `${diagram.version} ${measured().length} ${followed().length && followed()[0].name} ${frame.w} ${frame.h} ${JSON.stringify(view)}`;
   const passed = performance.now() - labels.placed;
   if (labels.key !== key && passed >= SETTLES) {
-    const points = [...diagram.points.map(({ primary, secondary }) => [primary, secondary]), ...(diagram.measured?.points ?? []).map(({ at }) => at)].map(to);
+    const points = [...diagram.points.map(({ primary, secondary }) => [primary, secondary]), ...measured().map(({ at }) => at)].map(to);
     const before = labels.list.map((each) => ({ ...each, x: to(each.at)[0], y: to(each.at)[1] }));
     const list = placeLabels(frame, runs, regions, points, before);
     labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };

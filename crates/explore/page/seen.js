@@ -25,7 +25,7 @@ function simulated() {
   const at = ([low, high], place, count) => low + ((place + 0.5) / count) * (high - low);
   return [
     [...axes(), "loops", "periods", "impacts a period", "followed to its end"],
-    ...cells.map(([column, row, loops, periods, impacts, followed]) => [at(view.primary, column, columns), at(view.secondary, row, rows), loops, periods, impacts, followed ? 1 : 0]),
+    ...cells.filter(([, , loops]) => loops !== undefined).map(([column, row, loops, periods, impacts, followed]) => [at(view.primary, column, columns), at(view.secondary, row, rows), loops, periods, impacts, followed ? 1 : 0]),
   ];
 }
 

@@ -4,6 +4,7 @@ import { file } from "./api.js";
 import { namePieces, plain } from "./markup.js";
 import { description, exampleOf, examples, modelOf, program, textOf, viewOf } from "./model.js";
 import { fileOf as fileOfSeen, isSeen } from "./seen.js";
+import { drawnView } from "./diagram.js";
 import * as cut from "./cut.js";
 import * as state from "./state.js";
 import * as straightened from "./straightened.js";
@@ -30,7 +31,7 @@ const TREACHEROUS = /[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/u;
  * unsafe.
  */
 export function command(value) {
-  const { primary, secondary } = viewOf(value);
+  const { primary, secondary } = drawnView(value);
   const example = exampleOf(value);
   const paper = example !== null && example.text === null;
   const setting = (key, told) => ` --set ${word(`${key}=${told}`)}`;
@@ -58,7 +59,7 @@ async function copy(text, button) {
   setTimeout(() => (button.textContent = before), 1500);
 }
 
-function save(blob, name) {
+function download(blob, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
@@ -71,14 +72,14 @@ const stem = () => (description?.name ?? "oscillator").toLowerCase().replace(/[^
 async function take(what, of = "plane") {
   const value = state.get();
   const [kind, table] = what.split(":");
-  $("share-status").textContent = "Drawing …";
+  $("export-status").textContent = "Drawing …";
   try {
     const blob = await file("export", { model: modelOf(value), view: viewOf(value), what, columns: $("columns").value, measured: value.data, of: FIGURES[of].wanted() });
     const name = table ?? (of === "plane" ? null : of);
-    save(blob, `${stem()}${name ? `-${name}` : ""}.${kind}`);
-    $("share-status").textContent = "Saved.";
+    download(blob, `${stem()}${name ? `-${name}` : ""}.${kind}`);
+    $("export-status").textContent = "Saved.";
   } catch (error) {
-    $("share-status").textContent = error.message;
+    $("export-status").textContent = error.message;
   }
 }
 
@@ -97,39 +98,48 @@ const FIGURES = {
 const PICTURES = { plane: "Plane", cut: "Cut", series: "Time series", portrait: "Phase portrait", impacts: "Impacts" };
 
 async function takeSeen(name, kind) {
-  save(await fileOfSeen(name, kind), `${stem()}-${name}.${kind}`);
-  $("share-status").textContent = "Saved.";
+  download(await fileOfSeen(name, kind), `${stem()}-${name}.${kind}`);
+  $("export-status").textContent = "Saved.";
 }
 
-/** Opens the dialog, at its beginning or at one of its parts. */
-export function open(part = null) {
+/** Opens one of the two dialogs. */
+function open(dialog) {
+  const told = Object.entries(state.get().set).map(([name, number]) => `${plain(namePieces(name))} = ${number}`);
+  $(dialog).querySelector(".what").textContent = [description.name, ...told].join(", ");
+  $(dialog).showModal();
+}
+
+/** The address, and the command that writes the same. */
+export function share() {
   const value = state.get();
-  for (const row of $("seen-list").children) row.hidden = !isSeen(row.dataset.name);
-  for (const row of $("print-list").children) row.hidden = !FIGURES[row.dataset.name].wanted();
   $("address").value = location.origin + location.pathname + state.encode(value);
   const line = command(value);
   $("command").textContent = line ?? "None: a name in the address contains characters that are not text.";
   $("copy-command").disabled = line === null;
   $("own-text").hidden = textOf(value) === null;
   $("save-text").textContent = `Save ${exampleOf(value)?.file ?? "oscillator.toml"}`;
-  $("share-status").textContent = "";
-  const told = Object.entries(value.set).map(([name, number]) => `${plain(namePieces(name))} = ${number}`);
-  $("share-what").textContent = [description.name, ...told].join(", ");
-  $("share").showModal();
-  if (part) $(part).focus();
+  open("share");
+}
+
+/** Everything that can be saved as a file. */
+export function save() {
+  for (const row of $("seen-list").children) row.hidden = !isSeen(row.dataset.name);
+  for (const row of $("print-list").children) row.hidden = !FIGURES[row.dataset.name].wanted();
+  $("export-status").textContent = "";
+  open("export");
 }
 
 export function attach() {
   $("copy-address").addEventListener("click", (event) => copy($("address").value, event.currentTarget));
   $("copy-command").addEventListener("click", (event) => copy($("command").textContent, event.currentTarget));
-  $("save-text").addEventListener("click", () => save(new Blob([textOf(state.get())], { type: "application/toml" }), exampleOf(state.get())?.file ?? "oscillator.toml"));
+  $("save-text").addEventListener("click", () => download(new Blob([textOf(state.get())], { type: "application/toml" }), exampleOf(state.get())?.file ?? "oscillator.toml"));
   for (const button of document.querySelectorAll("dialog .close")) button.addEventListener("click", () => button.closest("dialog").close());
   for (const [name, { words, tables = [] }] of Object.entries(FIGURES)) {
     const kinds = ["svg", "pdf", "png", ...tables.map((table) => `csv:${table}`)];
     const buttons = kinds.map((kind) => make("button", { type: "button", "data-take": kind, "data-of": name }, kind.slice(0, 3).toUpperCase()));
     $("print-list").append(make("p", { class: "row", "data-name": name }, make("span", {}, words), ...buttons));
   }
-  for (const button of $("share").querySelectorAll("[data-take]")) button.addEventListener("click", () => take(button.dataset.take, button.dataset.of));
+  for (const button of $("export").querySelectorAll("[data-take]")) button.addEventListener("click", () => take(button.dataset.take, button.dataset.of));
   const buttons = (name) => ["svg", "png", "csv"].map((kind) => make("button", { type: "button", "data-seen": `${name}:${kind}`, onclick: () => takeSeen(name, kind) }, kind.toUpperCase()));
   for (const [name, words] of Object.entries(PICTURES)) $("seen-list").append(make("p", { class: "row", "data-name": name }, make("span", {}, words), ...buttons(name)));
 }

@@ -18,7 +18,9 @@ let current = null;
 
 const status = (words) => ($("tiles-status").textContent = words);
 
+/** The colour of a cell; where the oscillator is not valid there is none. */
 function colourOf([, , loops, periods, , followed], ink) {
+  if (loops === undefined) return "transparent";
   if (!followed) return ink.muted;
   if (loops === 0) return ink.calm;
   if (loops !== null) return loopsInk(loops, ink);
@@ -82,7 +84,7 @@ function judge() {
   if (!current || current.cells.length === 0 || diagram.stale || diagram.regions.length === 0) return;
   const shaded = shading(current);
   const followed = new Set(state.get().loops ?? description.loops);
-  current.wrong = current.cells.filter(([column, row, loops]) => loops !== null && (loops === 0 || followed.has(loops)) && !shaded(loops, column, row));
+  current.wrong = current.cells.filter(([column, row, loops]) => typeof loops === "number" && (loops === 0 || followed.has(loops)) && !shaded(loops, column, row));
   const all = current.cells.length;
   const share = Math.round((100 * all) / (current.columns * current.rows));
   const words = current.wrong.length === 0 ? "none disagrees with the shading" : `${current.wrong.length} disagree with the shading (crosses)`;

@@ -6,11 +6,12 @@ use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 use crate::answer::{Problem, Sheet};
+use crate::diagram::Kept;
 use crate::events::{self, Clock, Events, Listener};
 use crate::figure::{ExportRequest, Seen};
 use crate::model::Model;
 use crate::place::PlaceRequest;
-use crate::{cut, diagram, exact, follow, place, tiles};
+use crate::{cut, diagram, exact, follow, measured, place, tiles};
 
 /// Writes a figure as a file: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that
 /// of the paper), unless it is cancelled.
@@ -50,6 +51,8 @@ pub(crate) fn reader(name: &str) -> Option<fn(&[u8]) -> Read> {
         "exact" => |body| one(body, |_| Weight::Light, exact::compute),
         "follow" => |body| one(body, |_| Weight::Light, follow::compute),
         "cut" => |body| told(body, cut::compute),
+        "measured" => |body| one(body, |_| Weight::Light, measured::read),
+        "compare" => |body| told(body, measured::compute),
         "export" => |body| serde_json::from_slice(body).map(Asked::File),
         _ => return None,
     })
@@ -89,6 +92,9 @@ pub(crate) fn file(request: &ExportRequest, export: &Export, stop: &Stop) -> Res
     export(&seen, &request.what, &request.columns, stop).map_err(Problem::wrong)
 }
 
+/// The last diagrams where there is no server.
+static KEPT: Kept = Kept::none();
+
 /// Answers a request at once, as the server does, from the last part of its path and its body.
 /// Events go to the listener; one value or a file is returned with its media type.
 ///
@@ -109,7 +115,7 @@ pub fn answer(
                 file(&request, export, stop).map(|Sheet { kind, content, .. }| (kind, content))
             }
             Asked::Told(compute) => {
-                events::tell(&*compute, listener, clock, stop, &Problem::ended);
+                events::tell(&*compute, (listener, clock), &KEPT, stop, &Problem::ended);
                 Ok((EVENTS, Vec::new()))
             }
         }

@@ -55,7 +55,9 @@ impl CutLine {
         let [low, high] = axis.range();
         let held = [at, at + HELD * (high - low)];
         let [primary, secondary] = if primary_is_fixed { [held, range] } else { [range, held] };
-        let of = model.prepared(Some(&View { primary, secondary }), stop)?;
+        let (valid, _) = model.viewed(Some(&View { primary, secondary }), stop)?;
+        let of = model.prepare(&valid, stop)?;
+        let range = if primary_is_fixed { valid.secondary() } else { valid.primary() }.range();
         let line = Line { diagram: 1, primary_is_fixed, at, range };
         let line = line.without_dimensions(&of.axes.units);
         let cut = Cut::follow(&of.oscillator, &of.scope, &[], line, progress).ok_or_else(Problem::ended)?;

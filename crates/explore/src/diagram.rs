@@ -1,7 +1,9 @@
 //! The two-parameter diagram, sent while it is computed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use grazing_analysis::nothing::Nothing;
 use grazing_analysis::plane::{self, Axes};
 use grazing_analysis::unfolded::{AtResonance, Prepared};
 use grazing_continuation::bifurcation::Bifurcation;
@@ -9,6 +11,7 @@ use grazing_continuation::mps::Multipliers;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
 use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SpecialPoint};
+use grazing_source::Mistake;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
@@ -20,7 +23,6 @@ use serde_json::{Value, json};
 
 use crate::answer::Problem;
 use crate::events::Events;
-use crate::measured::{self, Measured};
 use crate::model::{Model, View};
 use crate::place;
 
@@ -32,16 +34,62 @@ pub(crate) struct DiagramRequest {
     /// Whether only grazing curves, resonances and curves that leave them are requested, without regions.
     #[serde(default)]
     coarse: bool,
-    /// Measurements to be compared with regions and curves.
-    measured: Option<Measured>,
+}
+
+/// The diagrams that were computed last with all their regions, by model and view: measurements are compared with
+/// them.
+pub(crate) struct Kept(Mutex<VecDeque<(String, Arc<(Axes, Diagram)>)>>);
+
+impl Kept {
+    /// The number of diagrams.
+    const MOST: usize = 2;
+
+    pub(crate) const fn none() -> Self {
+        Self(Mutex::new(VecDeque::new()))
+    }
+
+    fn all(&self) -> MutexGuard<'_, VecDeque<(String, Arc<(Axes, Diagram)>)>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn key(model: &Model, view: &View) -> String {
+        json!([model, view]).to_string()
+    }
+
+    fn add(&self, key: String, axes: Axes, diagram: Diagram) -> Arc<(Axes, Diagram)> {
+        let kept = Arc::new((axes, diagram));
+        let mut all = self.all();
+        all.retain(|(other, _)| *other != key);
+        all.push_front((key, kept.clone()));
+        all.truncate(Self::MOST);
+        kept
+    }
+}
+
+/// The diagram of a view with all its regions, computed if it is not among the last.
+pub(crate) fn whole(
+    model: &Model,
+    view: &View,
+    events: &Events,
+    stop: &Stop,
+) -> Result<Arc<(Axes, Diagram)>, Problem> {
+    let key = Kept::key(model, view);
+    let known = events.kept.all().iter().find(|(other, _)| *other == key).map(|(_, kept)| kept.clone());
+    if let Some(kept) = known {
+        return Ok(kept);
+    }
+    let Prepared { oscillator, scope, asked, axes } = model.prepared(Some(view), stop)?;
+    let located = located((&oscillator, &scope), &axes, events)?.asking_for(asked);
+    let followed = located.follow(events, &|_, _| ());
+    let diagram = located.with(followed, events);
+    if stop.is_asked() { Err(Problem::ended()) } else { Ok(events.kept.add(key, axes, diagram)) }
 }
 
 /// The kind of curves that a file asks for.
 pub(crate) const OWN_CURVE: &str = "own";
 
 pub(crate) fn located(
-    oscillator: &AnyOscillator,
-    scope: &Scope,
+    (oscillator, scope): (&AnyOscillator, &Scope),
     axes: &Axes,
     progress: &dyn Progress,
 ) -> Result<Diagram, Problem> {
@@ -50,8 +98,13 @@ pub(crate) fn located(
 }
 
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let Prepared { oscillator, scope, asked, axes } = request.model.prepared(Some(&request.view), stop)?;
-    let located = located(&oscillator, &scope, &axes, events)?.asking_for(asked);
+    let DiagramRequest { model, view, coarse } = request;
+    let (description, mistake) = model.viewed(Some(view), stop)?;
+    let Prepared { oscillator, scope, asked, axes } = model.prepare(&description, stop)?;
+    if let Some(Mistake { message, .. }) = mistake {
+        events.send("part", &json!({"view": View::of(&description), "reason": message}));
+    }
+    let located = located((&oscillator, &scope), &axes, events)?.asking_for(asked);
     let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
     events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
     events.send("resonances", &resonances(&axes, &located));
@@ -69,7 +122,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         };
         events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
     });
-    let diagram = match request.coarse {
+    let diagram = match *coarse {
         true => located.with_curves(followed),
         false => located.with(followed, events),
     };
@@ -82,7 +135,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         *count += 1;
         let mut found = curve(rows, *count - 1);
         found["starts"] = json!(starts);
-        if !request.coarse {
+        if !coarse {
             along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
         }
         found
@@ -100,17 +153,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     let rows = plane::points(&axes, &diagram);
     let points = rows.iter().zip(known).map(|(row, multipliers)| point(row, multipliers));
     events.send("points", &points.collect::<Vec<_>>());
-    if !request.coarse {
+    if !coarse {
         let rows = plane::regions(&axes, &diagram.regions);
         let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
         events.send("regions", &regions.collect::<Vec<_>>());
-    }
-    if let Some(measured) = request.measured.as_ref().filter(|_| !request.coarse) {
-        let told = match measured.beside(&request.model, &axes, &diagram, stop) {
-            Ok(compared) => measured::told(&compared),
-            Err(problem) => json!({ "message": problem.message }),
-        };
-        events.send("measured", &told);
     }
     let approximations = approximations(&axes, &diagram);
     events.send("curves", &approximations);
@@ -119,7 +165,11 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
     // Regions of stable solutions are shown all the same.
     if let Some(reason) = diagram.nothing() {
-        events.send("nothing", &reason.in_units(&axes.units).to_string());
+        let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);
+        events.send("nothing", &json!({"found": found, "question": question}));
+    }
+    if !(*coarse || stop.is_asked()) {
+        events.kept.add(Kept::key(model, view), axes, diagram);
     }
     Ok(())
 }

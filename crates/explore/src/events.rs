@@ -11,6 +11,7 @@ use serde_json::json;
 
 use crate::answer::Problem;
 use crate::asked::Told;
+use crate::diagram::Kept;
 
 /// The shortest interval between reports of progress.
 const PAUSE: Duration = Duration::from_millis(80);
@@ -25,6 +26,8 @@ pub type Listener = dyn Fn(String) -> bool + Send + Sync;
 pub(crate) struct Events<'a> {
     listener: &'a Listener,
     pub(crate) clock: Clock,
+    /// The last diagrams.
+    pub(crate) kept: &'a Kept,
     stop: &'a Stop,
     stages: Mutex<Stages>,
 }
@@ -42,13 +45,13 @@ struct Stages {
 /// it was asked to stop.
 pub(crate) fn tell(
     compute: &Told,
-    listener: &Listener,
-    clock: Clock,
+    (listener, clock): (&Listener, Clock),
+    kept: &Kept,
     stop: &Stop,
     ended: &dyn Fn() -> Problem,
 ) {
     let began = clock();
-    let events = Events { listener, clock, stop, stages: Mutex::default() };
+    let events = Events { listener, clock, kept, stop, stages: Mutex::default() };
     match compute(&events, stop) {
         _ if stop.is_asked() => events.send("error", &ended().told()),
         Ok(()) => events.send("done", &json!({ "seconds": (clock() - began).as_secs_f64() })),

@@ -102,13 +102,15 @@ impl Seen {
         progress: &dyn Progress,
         stop: &Stop,
     ) -> Result<Self, Problem> {
-        let name = model.description(view, stop)?.name().to_owned();
-        let of = model.prepared(view, stop)?;
+        let (description, _) = model.viewed(view, stop)?;
+        let name = description.name().to_owned();
+        let of = model.prepare(&description, stop)?;
         let names = of.axes.names.clone();
         let figure = match wanted {
             Wanted::Plane => {
                 let (axes, diagram) = (of.axes.clone(), diagram(of, progress)?);
-                let compared = measured.map(|rig| rig.beside(model, &axes, &diagram, stop)).transpose()?;
+                let compared =
+                    measured.map(|rig| rig.beside(model, (&axes, &diagram), progress, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
                 let mut rows = plane::plane_diagram(&axes, &diagram, Vec::new(), Vec::new());
                 rows.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
@@ -134,7 +136,7 @@ impl Seen {
 
 fn diagram(of: Prepared, progress: &dyn Progress) -> Result<Diagram, Problem> {
     let Prepared { oscillator, scope, asked, axes } = of;
-    let located = located(&oscillator, &scope, &axes, progress)?.asking_for(asked);
+    let located = located((&oscillator, &scope), &axes, progress)?.asking_for(asked);
     let followed = located.follow(progress, &|_, _| ());
     Ok(located.with(followed, progress))
 }
@@ -142,7 +144,7 @@ fn diagram(of: Prepared, progress: &dyn Progress) -> Result<Diagram, Problem> {
 fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<StraightenedCurves, Problem> {
     let place = of.without_dimensions(at);
     let Prepared { oscillator, scope, axes, .. } = of;
-    let located = located(&oscillator, &scope, &axes, progress)?;
+    let located = located((&oscillator, &scope), &axes, progress)?;
     let followed = located.follow(progress, &|_, _| ());
     let diagram = located.with_curves(followed);
     let far = |(_, point): &(&Resonance, &ResonantGrazingPoint)| {

@@ -2,7 +2,8 @@
 //! the server behind it.
 //!
 //! The page holds all state: the oscillator's file, values of its constants, the view of the plane,
-//! a place in it. Every request carries what it needs of that, so the server stores nothing. It
+//! a place in it. Every request carries what it needs of that, so the server stores nothing but the last
+//! diagrams, beside which measurements are laid, and which are computed again if they are gone. It
 //! computes with the code of `unfold`, and sends the same numbers.
 //!
 //! | module | |
@@ -12,7 +13,7 @@
 //! | `model` | from a request to an oscillator |
 //! | `diagram`, `place`, `exact`, `cut`, `tiles` | the computations that can be requested |
 //! | `follow` | the curve through a solution |
-//! | `measured` | measurements beside the diagram |
+//! | `measured` | measurements as they are read, and beside the diagram |
 //! | `figure` | exported figures |
 //! | `kinds` | the looks of kinds of curves, for the page |
 //! | `files` | the page |

@@ -1,15 +1,18 @@
-//! Measurements beside the part of the diagram in view.
+//! Measurements, and their comparison with the part of the diagram in view.
 
 use grazing_analysis::plane::Axes;
 use grazing_measured::{Observation, compare, read};
 use grazing_model::smooth::Stop;
 use grazing_results::measured::{Comparison, MeasuredCount, MeasuredPoint};
 use grazing_unfold::Diagram;
+use grazing_unfold::progress::Progress;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::Model;
+use crate::diagram;
+use crate::events::Events;
+use crate::model::{Model, View};
 
 /// A file of measurements.
 #[derive(Deserialize)]
@@ -18,7 +21,40 @@ pub(crate) struct Measured {
     text: String,
 }
 
+/// The request to read a file of measurements.
+#[derive(Deserialize)]
+pub(crate) struct ReadRequest {
+    model: Model,
+    measured: Measured,
+}
+
+/// The request to compare measurements with the diagram of a view.
+#[derive(Deserialize)]
+pub(crate) struct CompareRequest {
+    model: Model,
+    view: View,
+    measured: Measured,
+}
+
 impl Measured {
+    /// What `read` makes of the text with the names of the parameters.
+    ///
+    /// # Errors
+    /// The first mistake in the file.
+    fn read<T>(
+        &self,
+        model: &Model,
+        read: fn(&str, &str, [&str; 2]) -> Result<T, read::MeasurementError>,
+        stop: &Stop,
+    ) -> Result<T, Problem> {
+        let description = model.description(None, stop)?;
+        let own = [description.primary().name(), description.secondary().name()];
+        // The paper's oscillator has other names than the text that describes it.
+        let paper = Axes::of_the_paper().names;
+        let names = if model.text.is_some() { own } else { [&*paper.primary, &*paper.secondary] };
+        read(&self.text, &self.name, names).map_err(|error| Problem::wrong(error.to_string()))
+    }
+
     /// Compares the measurements in the view with the diagram there, and counts those that lie outside.
     ///
     /// # Errors
@@ -26,35 +62,54 @@ impl Measured {
     pub(crate) fn beside(
         &self,
         model: &Model,
-        axes: &Axes,
-        diagram: &Diagram,
+        (axes, diagram): (&Axes, &Diagram),
+        progress: &dyn Progress,
         stop: &Stop,
     ) -> Result<(Comparison, usize), Problem> {
-        let description = model.description(None, stop)?;
-        let own = [description.primary().name(), description.secondary().name()];
-        // The paper's oscillator has other names than the text that describes it.
-        let names = if model.text.is_some() { own } else { [&*axes.names.primary, &*axes.names.secondary] };
-        let all = read::points_of(&self.text, &self.name, names)
-            .map_err(|error| Problem::wrong(error.to_string()))?;
+        let all = self.read(model, read::points_of, stop)?;
         let window = diagram.scope.window;
         let seen = |one: &Observation| {
             let [primary, secondary] = one.at;
             window.contains([primary / axes.units.primary, secondary / axes.units.secondary])
         };
         let (inside, outside): (Vec<_>, Vec<_>) = all.into_iter().partition(seen);
-        Ok((compare(&inside, axes, diagram, stop), outside.len()))
+        Ok((compare(&inside, axes, diagram, progress, stop), outside.len()))
     }
 }
 
+/// The measurements as they are in the file, before anything is computed.
+pub(crate) fn read(request: &ReadRequest, stop: &Stop) -> Result<Value, Problem> {
+    let ReadRequest { model, measured } = request;
+    let point = |one: &Observation| {
+        json!({
+            "line": one.line,
+            "at": one.at,
+            "errors": one.errors,
+            "kind": one.seen.kind().name(),
+            "seen": one.seen.words(),
+        })
+    };
+    let points = measured.read(model, read::points_of, stop)?;
+    Ok(json!({
+        "points": points.iter().map(point).collect::<Vec<_>>(),
+        "columns": measured.read(model, read::columns_of, stop)?,
+    }))
+}
+
+/// Compares measurements with the diagram of a view, which is not computed again if it was among the last.
+pub(crate) fn compute(request: &CompareRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
+    let CompareRequest { model, view, measured } = request;
+    let kept = diagram::whole(model, view, events, stop)?;
+    let (axes, diagram) = &*kept;
+    events.send("measured", &told(&measured.beside(model, (axes, diagram), events, stop)?));
+    Ok(())
+}
+
 /// A comparison, for the page.
-pub(crate) fn told((compared, outside): &(Comparison, usize)) -> Value {
+fn told((compared, outside): &(Comparison, usize)) -> Value {
     let point = |row: &MeasuredPoint| {
         json!({
             "line": row.line,
-            "at": [row.primary, row.secondary],
-            "errors": [row.primary_error, row.secondary_error],
-            "kind": row.kind.name(),
-            "seen": row.seen,
             "agreement": row.agreement.name(),
             "theory": row.theory,
             "reason": row.reason,

@@ -24,7 +24,7 @@ pub struct Model {
 }
 
 /// A view of the plane, in the oscillator's own units.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 pub struct View {
     /// The range of the primary parameter.
     pub primary: [f64; 2],
@@ -37,6 +37,13 @@ const FILE: &str = "oscillator.toml";
 /// The text that describes the paper's oscillator: its constants, ranges and loops, and its motion
 /// where it has to be integrated.
 pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
+
+impl View {
+    /// The ranges of a description.
+    pub(crate) fn of(description: &Description) -> Self {
+        Self { primary: description.primary().range(), secondary: description.secondary().range() }
+    }
+}
 
 impl Model {
     /// The text of the file, or of the one that describes the paper's oscillator.
@@ -84,9 +91,37 @@ impl Model {
         self.read(FILE, view, stop)
     }
 
-    /// The oscillator in the ranges of a view, or in those of its file; `stop` cancels its computations.
+    /// The oscillator in the part of a view in which it is valid, or in the ranges of its file; and what is wrong
+    /// in the rest of the view.
+    ///
+    /// # Errors
+    /// The file is wrong, or nothing in the view is valid.
+    pub(crate) fn viewed(
+        &self,
+        view: Option<&View>,
+        stop: &Stop,
+    ) -> Result<(Description, Option<Mistake>), Mistake> {
+        let (view, mistake) = match (view, self.description(view, stop)) {
+            (_, Ok(description)) => return Ok((description, None)),
+            (None, Err(mistake)) => return Err(mistake),
+            (Some(view), Err(mistake)) => (view, mistake),
+        };
+        let own = self.description(None, stop)?;
+        let Some([primary, secondary]) = own.valid_part([view.primary, view.secondary], stop) else {
+            return Err(mistake);
+        };
+        Ok((self.description(Some(&View { primary, secondary }), stop)?, Some(mistake)))
+    }
+
+    /// The oscillator in the part of a view in which it is valid, or in the ranges of its file; `stop` cancels
+    /// its computations.
     pub(crate) fn prepared(&self, view: Option<&View>, stop: &Stop) -> Result<Prepared, Mistake> {
-        self.ready(&self.description(view, stop)?, stop).map_err(|error| Mistake::new(error.to_string()))
+        self.prepare(&self.viewed(view, stop)?.0, stop)
+    }
+
+    /// An oscillator from its description, with a mistake instead of an error.
+    pub(crate) fn prepare(&self, description: &Description, stop: &Stop) -> Result<Prepared, Mistake> {
+        self.ready(description, stop).map_err(|error| Mistake::new(error.to_string()))
     }
 
     /// An oscillator from its description, ready for an analysis.

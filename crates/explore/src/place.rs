@@ -119,7 +119,8 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         true => flights.iter().map(|flight| in_units(flight, &units)).collect(),
         false => Vec::new(),
     };
-    let solution = |solution: &Solution| {
+    let reached = reached(&found);
+    let solution = |(solution, reached): (&Solution, &bool)| {
         let Solution { loops, impact, multipliers, admissible, orbit } = solution;
         json!({
             "p": loops,
@@ -128,6 +129,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             "multipliers": eigenvalues(multipliers),
             "stable": multipliers.stable(),
             "admissible": admissible,
+            "reached": reached,
             "orbit": flights(core::slice::from_ref(orbit)),
         })
     };
@@ -150,12 +152,40 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         })
     };
     Ok(json!({
-        "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
+        "solutions": found.solutions.iter().zip(&reached).map(solution).collect::<Vec<_>>(),
         "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
         "period": found.period * units.time,
         "states": states,
         "followed": request.nearby.is_some(),
     }))
+}
+
+/// Of each solution, whether it is the nearest to an attractor with as many loops.
+fn reached(found: &Place) -> Vec<bool> {
+    let highest = |flights: &[Vec<[f64; 3]>]| {
+        flights.iter().flatten().map(|[_, x, _]| *x).fold(f64::NEG_INFINITY, f64::max)
+    };
+    // What tells solutions with the same number of loops apart.
+    let of_solution = |solution: &Solution| match solution.loops {
+        0 => highest(core::slice::from_ref(&solution.orbit)),
+        _ => solution.impact[0],
+    };
+    let mut reached = vec![false; found.solutions.len()];
+    for attractor in &found.attractors {
+        let own = match attractor.fate.loops() {
+            Some(0) => highest(&attractor.flights),
+            _ => attractor.strikes.first().map_or(f64::NAN, |strike| strike[1]),
+        };
+        let alike = (0..reached.len()).filter(|k| {
+            let Solution { loops, multipliers, admissible, .. } = &found.solutions[*k];
+            Some(*loops) == attractor.fate.loops() && multipliers.stable() && *admissible
+        });
+        let far = |k: usize| (of_solution(&found.solutions[k]) - own).abs();
+        if let Some(nearest) = alike.min_by(|a, b| far(*a).total_cmp(&far(*b))) {
+            reached[nearest] = true;
+        }
+    }
+    reached
 }
 
 /// A flight in the file's units, with positions measured from the wall.

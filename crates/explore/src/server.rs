@@ -21,6 +21,7 @@ use tokio::time::{interval, timeout};
 
 use crate::answer::Problem;
 use crate::asked::{self, Asked, Export, Weight};
+use crate::diagram::Kept;
 use crate::files::{self, Example};
 
 mod guard;
@@ -50,6 +51,7 @@ struct Shared {
     examples: Vec<Example>,
     export: Export,
     turns: Arc<Turns>,
+    kept: Arc<Kept>,
 }
 
 impl Server {
@@ -74,6 +76,7 @@ impl Server {
             examples,
             export,
             turns: Arc::new(Turns::new(limits)?),
+            kept: Arc::new(Kept::none()),
         };
         Ok(Self { listener, shared: Arc::new(shared) })
     }
@@ -233,7 +236,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
         Asked::One(weight, compute) => {
             Ok(response::json(&turns::computed(&shared.turns, weight, move |stop| compute(stop)).await?))
         }
-        Asked::Told(compute) => stream::events(&shared.turns, compute).await,
+        Asked::Told(compute) => stream::events(&shared.turns, shared.kept.clone(), compute).await,
         Asked::File(request) => {
             let own = shared.clone();
             let made = turns::computed(&shared.turns, Weight::Heavy, move |stop| {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use grazing_analysis::unfolded::Prepared;
+use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_unfold::long_time::{Horizon, LongOrbit, MotionKind, random_start};
@@ -49,7 +49,9 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
             "columns and rows must lie between 1 and {MOST}, periods between {COUNTED} and {MOST_PERIODS}"
         )));
     }
-    let Prepared { oscillator, scope, .. } = request.model.prepared(Some(&request.view), stop)?;
+    let of = request.model.prepared(Some(&request.view), stop)?;
+    let View { primary, secondary } = request.view;
+    let view = Window { primary, secondary };
     let mut known = request.known;
     let counted = periods / COUNTED;
     let horizon = Horizon::drifting(periods - counted, counted);
@@ -72,7 +74,12 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
                 }
                 let shares = [(column, columns), (row, rows)]
                     .map(|(place, count)| (f64::from(place) + 0.5) / f64::from(count));
-                let here = oscillator.with_parameters(scope.window.parameters(shares));
+                let at = of.without_dimensions(view.parameters(shares));
+                // Beyond the part that is valid there is no motion.
+                if !of.scope.window.contains(at) {
+                    return json!([column, row]);
+                }
+                let here = of.oscillator.with_parameters(at);
                 // A place always has the same initial state, whatever was computed before.
                 let mut random = random(column, row);
                 let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;

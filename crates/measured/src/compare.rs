@@ -12,6 +12,7 @@ use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPo
 use grazing_unfold::Diagram;
 use grazing_unfold::long_time::{Fate, MotionKind};
 use grazing_unfold::place::{Place, Starts};
+use grazing_unfold::progress::Progress;
 use grazing_unfold::regions::Region;
 
 use crate::associate::{Metric, nearest};
@@ -45,11 +46,26 @@ pub const NOT_FINISHED: &str = "not finished";
 /// The result of comparing a measurement, and the reason for it.
 type Verdict = (Agreement, String);
 
+/// The name of the stage.
+const STAGE: &str = "comparison with measurements";
+
 /// Compares all measurements with a diagram; `stop` ends simulation, and the remaining measurements are
 /// undecided.
-pub fn compare(observations: &[Observation], axes: &Axes, diagram: &Diagram, stop: &Stop) -> Comparison {
+pub fn compare(
+    observations: &[Observation],
+    axes: &Axes,
+    diagram: &Diagram,
+    progress: &dyn Progress,
+    stop: &Stop,
+) -> Comparison {
     let beside = Beside { axes, diagram, stop };
-    let points: Vec<MeasuredPoint> = observations.iter().map(|one| beside.point(one)).collect();
+    let point = |one: &Observation| {
+        let point = beside.point(one);
+        progress.step(STAGE);
+        point
+    };
+    let points: Vec<MeasuredPoint> =
+        progress.during(STAGE, observations.len() as u64, || observations.iter().map(point).collect());
     let mut counts: BTreeMap<(u32, String, u32), MeasuredCount> = BTreeMap::new();
     for (row, one) in points.iter().zip(observations) {
         for key in beside.counted_in(one) {

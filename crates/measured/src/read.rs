@@ -165,11 +165,22 @@ pub fn curves(
 /// # Errors
 /// The first mistake in the text.
 pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
-    let needed = &["{primary}", "{secondary}", "seen"];
-    let request =
-        Request { file, names, columns: POINTS, needed, renamed: &[], foreign: false, separated: true };
-    let table = Table::read(text, &request)?;
+    let table = Table::read(text, &places(file, names))?;
     table.rows.iter().map(|row| table.observation(row, None)).collect()
+}
+
+/// The columns of a text of measurements that are read, by their names in [`POINTS`].
+///
+/// # Errors
+/// As [`points_of`].
+pub fn columns_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<String>, MeasurementError> {
+    Ok(Table::read(text, &places(file, names))?.names().collect())
+}
+
+/// The request for the places of a text of measurements.
+fn places<'t>(file: &'t str, names: [&'t str; 2]) -> Request<'t> {
+    let needed = &["{primary}", "{secondary}", "seen"];
+    Request { file, names, columns: POINTS, needed, renamed: &[], foreign: false, separated: true }
 }
 
 /// The points of another program's curves in a text.

@@ -117,7 +117,7 @@ pub const fn darker([red, green, blue]: Colour) -> Colour {
 }
 
 /// The colours of curves that a file requests, on light and on dark ground.
-pub const OWN: [Colour; 2] = [[162, 108, 216], [117, 207, 162]];
+pub const OWN: [Colour; 2] = [[162, 108, 216], [170, 120, 235]];
 /// The widths of such a curve in points where solutions are stable, and where they are not.
 pub const OWN_WIDTHS: [f64; 2] = [1.15, 0.5];
 
@@ -136,14 +136,14 @@ pub const MARKER: [Colour; 2] = [[0, 0, 0], [242, 240, 234]];
 /// The colour of the rim of codimension-two points, on light and on dark ground.
 pub const MARKER_RIM: [Colour; 2] = [[255, 255, 255], [27, 30, 35]];
 
-/// The colours of solutions by number of loops, on light and on dark ground: first those of motion
-/// without impacts; the last entry is for that number of loops or more.
+/// The colours of solutions by number of loops, on light and on dark ground, where the hue is the same: first
+/// those of motion without impacts; the last entry is for that number of loops or more.
 pub const LOOPS: [[Colour; 2]; 5] = [
     [[0, 0, 0], [242, 240, 234]],
-    [[222, 132, 14], [255, 168, 101]],
-    [[1, 151, 176], [173, 52, 173]],
-    [[152, 27, 102], [233, 214, 0]],
-    [[105, 53, 19], [137, 50, 29]],
+    [[222, 132, 14], [231, 187, 132]],
+    [[1, 151, 176], [25, 168, 228]],
+    [[152, 27, 102], [208, 114, 163]],
+    [[105, 53, 19], [147, 113, 78]],
 ];
 
 /// The colours of solutions with p loops.

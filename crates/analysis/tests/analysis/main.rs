@@ -1,5 +1,7 @@
-//! Tests of rows that are computed from diagrams and places.
+//! Tests of rows that are computed from diagrams and places, and of reasons
+//! why there are none.
 
 mod finished;
+mod nothing;
 mod place;
 mod plane;

@@ -1,10 +1,10 @@
 //! The analysis of an oscillator from a text file, up to its limits.
 
+use grazing_analysis::nothing::Nothing;
 use grazing_analysis::unfolded::{Keep, Prepared, Unfolded, axes};
 use grazing_unfold::UnfoldError;
 use grazing_unfold::progress::Progress;
 
-use super::reason;
 use crate::failure::Failure;
 use crate::limits::{EndCause, Watch, ended};
 use crate::oscillator::OscillatorFile;
@@ -53,6 +53,6 @@ fn failure(of: &OscillatorFile, error: &UnfoldError, met: Option<EndCause>) -> F
             let outcome = "nothing is written, because there were no results yet; cancelled in the stage";
             ended(file, Some(met), &format!("{outcome} `{stage}`"))
         }
-        _ => Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description))),
+        _ => Failure::incomplete(format!("{}: {}", file.display(), Nothing::new(error, description))),
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use grazing_analysis::nothing::place;
 use grazing_analysis::unfolded::AtResonance;
 use grazing_description::Description;
 use grazing_model::smooth::Purpose;
@@ -9,7 +10,6 @@ use grazing_results::brief;
 use grazing_theorems::{ResonantPoint, Unfolding};
 
 use super::analysis::Analysis;
-use super::reason::place;
 use crate::layout::{KEPT, Layout};
 
 const DIGITS: usize = 9;

@@ -6,6 +6,7 @@ mod window;
 
 use std::path::Path;
 
+use grazing_analysis::nothing::place;
 use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
@@ -20,7 +21,6 @@ use grazing_unfold::verdict::Verdict;
 
 use super::analysis::Analysis;
 use super::numbers::{fixed, range, significant, unit, with_unit};
-use super::reason::place;
 use crate::layout::{KEPT, Layout};
 pub(crate) use gaps::incomplete;
 use gaps::{few, missing, odd_ends, thin, undecided, unfinished};

@@ -133,10 +133,13 @@ fn exported(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
     page.wait("noted.includes('Copied')");
     let command = page.value("navigator.clipboard.readText()");
     let command = command.as_str().expect("it is text").strip_prefix("grazing ").expect("as people type it");
+    page.press("Escape");
+    page.press("x");
+    page.wait("document.getElementById('export').open");
     for what in ["svg", "pdf", "png", "csv:curves"] {
-        page.value("document.getElementById('share-status').textContent = ''");
+        page.value("document.getElementById('export-status').textContent = ''");
         page.click(&format!("[data-take='{what}']"), [0.0, 0.0]);
-        page.wait("/Saved/.test(document.getElementById('share-status').textContent)");
+        page.wait("/Saved/.test(document.getElementById('export-status').textContent)");
     }
     // A shell reads the command, since it contains quotes.
     let made = empty_folder();

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 use std::pin::Pin;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 use std::task::{Context, Poll};
 use std::time::{Duration, Instant};
 
@@ -16,6 +16,7 @@ use super::response::{self, Body};
 use super::turns::{self, Begun, Cause, StopOnDrop, Turns};
 use crate::answer::Problem;
 use crate::asked::{EVENTS, Told, Weight};
+use crate::diagram::Kept;
 use crate::events;
 
 /// The most events that wait for a slow reader; the computation then waits, too.
@@ -28,11 +29,15 @@ fn clock() -> Duration {
 }
 
 /// Computes, and sends results as they are found.
-pub(super) async fn events(turns: &Turns, compute: Box<Told>) -> Result<Response<Body>, Problem> {
+pub(super) async fn events(
+    turns: &Turns,
+    kept: Arc<Kept>,
+    compute: Box<Told>,
+) -> Result<Response<Body>, Problem> {
     let (sender, receiver) = channel(WAITING);
     let work = move |stop: &Stop, cause: &Cause| {
         let listener = move |text: String| sender.blocking_send(text.into()).is_ok();
-        events::tell(&*compute, &listener, clock, stop, &|| cause.problem());
+        events::tell(&*compute, (&listener, clock), &kept, stop, &|| cause.problem());
     };
     let Begun { guard, .. } = turns::begin(turns, Weight::Heavy, work).await?;
     Ok(response::with_kind(EVENTS, Reading { receiver, _guard: guard }.boxed()))

@@ -63,6 +63,16 @@ fn units_and_what_x_is_counted_from_are_told() {
 }
 
 #[test]
+fn the_notes_of_the_command_line_are_told_also_on_constants_that_are_set() {
+    let mut model = model(example());
+    assert_eq!(checked(&model)["notes"], json!([]));
+    model.set.insert("zeta".to_owned(), -0.02);
+    let told = checked(&model);
+    let notes = model.read::<Mistake>("oscillator.toml", None, &Stop::default()).unwrap().notes().to_vec();
+    assert!(told["notes"] == json!(notes) && notes[0].contains("the sign of the damping"), "{told}");
+}
+
+#[test]
 fn views_and_constants_are_put_in_the_place_of_the_files() {
     let mut model = model(example());
     model.set.insert("kappa".to_owned(), 0.3);

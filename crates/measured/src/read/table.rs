@@ -100,6 +100,13 @@ impl<'t> Table<'t> {
         cells(self) == cells(other)
     }
 
+    /// The names of the columns that are read, in the order of the file.
+    pub(super) fn names(&self) -> impl Iterator<Item = String> {
+        let mut columns = self.columns.clone();
+        columns.sort_by_key(|(_, place)| *place);
+        columns.into_iter().map(|(name, _)| name)
+    }
+
     pub(super) fn position(&self, column: &str) -> Option<usize> {
         let name = named(column, self.names);
         self.columns.iter().find(|(known, _)| *known == name).map(|(_, place)| *place)

@@ -2,6 +2,7 @@
 
 use std::mem::discriminant;
 
+use grazing_analysis::nothing::place;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_description::Description;
 use grazing_model::smooth::Units;
@@ -13,7 +14,7 @@ use grazing_unfold::regions::Doubt;
 
 use crate::layout::Layout;
 use crate::unfold::analysis::Analysis;
-use crate::unfold::reason::{self, place};
+use crate::unfold::reason;
 
 /// The most findings of a kind that are listed one by one.
 const LISTED: usize = 5;

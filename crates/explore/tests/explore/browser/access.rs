@@ -82,6 +82,10 @@ fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
     page.wait("!document.getElementById('help').open && document.activeElement.id === 'plane'");
     page.press("s");
     page.wait("document.getElementById('share').open");
+    assert!(assert_all_named(&mut page) > 4);
+    page.press("Escape");
+    page.press("x");
+    page.wait("document.getElementById('export').open && !document.getElementById('share').open");
     assert!(assert_all_named(&mut page) > 8);
     page.press("Escape");
     page.press("e");
@@ -107,6 +111,13 @@ fn light_and_dark_follow_the_system_and_the_button() {
                     const ink = q.inks(), on = l(ink.paper); const ratio = (hex) => { const a = l(hex); return (Math.max(a, on) + 0.05) / (Math.min(a, on) + 0.05); }; \
                     return [ink.ink, ink.muted, ...['SN', 'PD', 'GZ'].map(q.curveInk), ink.place].map(ratio); })";
     assert!(numbers(&page.value(contrast)).iter().all(|ratio| *ratio > 4.0), "{}", page.value(contrast));
+    // A number of loops, and a curve that a file asks for, have one hue in both.
+    let turned = "use('kinds').then(([k]) => { const hue = (hex) => { const [r, g, b] = /#(..)(..)(..)/.exec(hex).slice(1).map((x) => parseInt(x, 16)); \
+                  return Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180 / Math.PI; }; \
+                  const pairs = [...k.INKS.light.loops.slice(1).map((ink, p) => [ink, k.INKS.dark.loops[p + 1]]), ...Object.values(k.LOOKS).map(({light, dark}) => [light.curve, dark.curve])]; \
+                  return pairs.map((pair) => { const [a, b] = pair.map(hue); return Math.abs(((a - b + 540) % 360) - 180); }); })";
+    let turned = numbers(&page.value(turned));
+    assert!(turned.len() > 8 && turned.iter().all(|turn| *turn < 25.0), "{turned:?}");
     page.click("#theme", [0.0, 0.0]);
     page.wait(&format!("document.documentElement.dataset.theme === 'light' && {brightness} > 150"));
     assert!(numbers(&page.value(contrast)).iter().all(|ratio| *ratio > 4.0), "{}", page.value(contrast));
@@ -124,7 +135,10 @@ fn all_that_is_seen_is_exported_as_picture_and_numbers() {
     let home = tempfile::tempdir().unwrap();
     page.permit(home.path());
     page.click("[data-command=export]", [0.0, 0.0]);
-    assert_eq!(page.value("document.activeElement.id"), "export");
+    assert_eq!(
+        page.value("['share', 'export'].map((id) => document.getElementById(id).open)"),
+        json!([false, true])
+    );
     let stem = page.value("use('model').then(([m]) => m.description.name)");
     let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
     for (name, header) in [
@@ -303,6 +317,8 @@ fn on_a_phone_the_view_is_shared_and_numbers_are_exported() {
     page.click("#copy-address", [0.0, 0.0]);
     page.wait("noted.includes('Copied')");
     assert_eq!(page.value("navigator.clipboard.readText()"), page.value("location.href"));
+    page.press("Escape");
+    page.click(".toolbar [data-command=export]", [0.0, 0.0]);
     page.click("[data-take='csv:points']", [0.0, 0.0]);
     let stem = page.wait("use('model').then(([m]) => m.description.name)");
     let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");

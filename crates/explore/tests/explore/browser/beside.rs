@@ -1,7 +1,7 @@
 //! Straightened curves, measurements, ordinates of the cut, and followed solutions, in the page.
 
 use super::places::CUT;
-use super::{DESK, PLACE, QUIET, Running, WHOLE, plane_key, spot, state};
+use super::{DESK, HOLD, PLACE, QUIET, Running, WHOLE, plane_key, spot, state};
 
 /// Straightened coordinates are shown, and the page is idle.
 const STRAIGHT: &str = "!document.documentElement.hasAttribute('data-busy') && !document.getElementById('straightened').hidden && \
@@ -37,12 +37,40 @@ fn straightened_coordinates_come_when_asked_for_and_by_themselves_where_all_curv
 }
 
 #[test]
-fn a_file_of_measurements_is_dropped_on_the_plane_and_what_disagrees_is_listed() {
+fn a_file_of_measurements_is_shown_at_once_and_compared_without_new_curves() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
     let text = "amplitude,omega,seen,periods,impacts\\n0.05,0.8,none,,\\n0.9,0.8,periodic,1,1\\n0.05,0.8,periodic,1,1\\n";
+    // While the curves are under way, points, columns and mistakes are there already.
+    page.value(HOLD);
+    plane_key(&mut page, "+");
+    page.wait("use('diagram').then(([d]) => d.isBusy() && !d.isWhole())");
+    page.value(&format!("({DROP})('{}')", text.replace("omega,seen", "omega,saw")));
+    page.wait("/the column seen is missing|unknown column saw/.test(document.getElementById('measured-message').textContent)");
+    page.value(&format!("({DROP})('{text}')"));
+    let marked =
+        "use('measured').then(([m]) => m.points().map(({line, agreement}) => [line, agreement ?? null]))";
+    page.wait(&format!("{marked}.then((all) => all.length === 3)"));
+    assert_eq!(page.value(marked), serde_json::json!([[2, null], [3, null], [4, null]]));
+    assert_eq!(page.value("document.getElementById('measured-message').hidden"), true);
+    let read = "3 measurements, from the columns amplitude, omega, seen, periods, impacts.";
+    assert_eq!(page.value("document.getElementById('measured-read').textContent"), read);
+    assert_eq!(
+        page.value("document.getElementById('measured-progress').textContent"),
+        "Not compared yet: the curves come first."
+    );
+    assert_eq!(page.value("use('diagram').then(([d]) => d.isBusy())"), true);
+    // Then they are compared as far as they are in view.
+    page.value("letGo()");
+    page.wait(&format!("{QUIET} && {marked}.then((all) => all.some(([, agreement]) => agreement))"));
+    plane_key(&mut page, "0");
+    page.wait(&format!("{WHOLE} && {marked}.then((all) => all.every(([, agreement]) => agreement))"));
+    // Other measurements are compared, and no curve is computed for them.
+    page.value("(() => { const ask = window.fetch.bind(window); window.asked = []; window.fetch = (path, options) => { window.asked.push(path); return ask(path, options); }; })()");
+    page.value("document.querySelector('[data-command=unmeasured]').click()");
     page.value(&format!("({DROP})('{text}')"));
     page.wait(&format!("{QUIET} && /Line 4, 1 impact in 1 period: /.test(document.getElementById('measured-against').textContent)"));
+    assert_eq!(page.value("asked.filter((path) => path !== './measured')"), serde_json::json!(["./compare"]));
     assert_eq!(page.value("document.querySelectorAll('#measured-marks li').length"), 4);
     // The pointer shows what was measured.
     let at = spot(&mut page, [0.9, 0.8]);

@@ -276,11 +276,13 @@ impl Browser {
         self.call("Input.dispatchTouchEvent", json!({"type": "touchEnd", "touchPoints": []}));
     }
 
-    /// Puts two fingers down and moves both.
-    pub(crate) fn fingers(&mut self, steps: &[[[f64; 2]; 2]]) {
-        for (step, fingers) in steps.iter().enumerate() {
-            let points = fingers.map(|[x, y]| json!({ "x": x, "y": y }));
-            let kind = if step == 0 { "touchStart" } else { "touchMove" };
+    /// Puts fingers down, one after the other or at once, and moves them.
+    pub(crate) fn fingers(&mut self, steps: &[&[[f64; 2]]]) {
+        let mut down = 0;
+        for fingers in steps {
+            let points = fingers.iter().map(|[x, y]| json!({ "x": x, "y": y })).collect::<Vec<_>>();
+            let kind = if points.len() > down { "touchStart" } else { "touchMove" };
+            down = points.len();
             self.call("Input.dispatchTouchEvent", json!({"type": kind, "touchPoints": points}));
         }
         self.call("Input.dispatchTouchEvent", json!({"type": "touchEnd", "touchPoints": []}));

@@ -55,17 +55,28 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
     page.wait("!document.documentElement.hasAttribute('data-busy')");
     assert_eq!(page.value(FADED), true);
     assert_eq!(page.value(NOT_DRAWN), true);
+    // It stands beside the constants that it names, too.
+    let beside = "document.querySelectorAll('#constants-list .why:not([hidden])').length";
+    assert!(page.value(beside).as_u64() > Some(0));
     page.click("#go-to-mistake", [0.0, 0.0]);
     assert_eq!(page.value("(() => { const t = document.getElementById('text'); return t.value.slice(t.selectionStart, t.selectionEnd); })()"), "kazppa");
     page.write("kappa");
     page.wait(&format!("{VERDICT} === 'The file is valid.'"));
     page.wait(&format!("{FADED}.then((faded) => !faded)"));
+    // Nothing is left of the mistake anywhere.
+    page.wait(WHOLE);
+    let red = "[...document.querySelectorAll('.bad')].filter((e) => e.checkVisibility() && !e.matches('td')).map((e) => e.textContent)";
+    assert_eq!((page.value(beside), page.value(red)), (0.into(), serde_json::json!([])));
     // Another value of a constant gives another diagram, of the user's own file.
     page.value("(() => { const t = document.getElementById('text'); const at = t.value.indexOf('kappa = 0.1') + 8; t.setSelectionRange(at, at + 3); })()");
     page.write("0.2");
     page.wait("use('state').then(([s]) => s.get().text?.includes('kappa = 0.2'))");
     assert_eq!(page.value("document.getElementById('oscillator').value"), "?own");
     page.wait("use('model').then(([m]) => m.description.constants.some(({name, value}) => name === 'kappa' && value === 0.2))");
+    // What the command line notes is told here as well, with the file and in the list of notes.
+    type_behind(&mut page, "\nzeta = ", "-");
+    let note = "Line \\d+: motion\\.force: at the wall the force grows with the velocity.*sign of the damping intended";
+    page.wait(&format!("/^The file is valid\\. {note}/.test({VERDICT}) && /{note}/.test(document.getElementById('notes-list').textContent) && document.getElementById('notes').open"));
     // Typing can be undone as everywhere.
     page.value("document.getElementById('text').focus()");
     page.press_with("a", CONTROL);

@@ -44,6 +44,25 @@ fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
     page.wait(&format!("{PLACE}.then((told) => /No impacts/.test(told) && !/MPS, 1 loop/.test(told))"));
     let [primary, secondary] = numbers(&state(&mut page, "place"))[..] else { panic!("two numbers") };
     assert!((primary - 0.05).abs() < 0.01 && (secondary - 0.8).abs() < 0.01);
+    // A stable solution that no start reaches is named, with the number of starts.
+    page.value("use('state').then(([s]) => s.update({place: [0.825, 0.95]}))");
+    let here = "use('place').then(([p]) => JSON.stringify(p.shown('place')) === '[0.825,0.95]')";
+    let told = page.wait(&format!("{here}.then((there) => there && {PLACE})"));
+    for words in [
+        "Reached from 24 random starts",
+        "MPS, 1 loop100 %",
+        "MPS, 2 loops, velocity 2.66: stable, not reached",
+        "stable, but none of the 24 random starts reached it",
+    ] {
+        assert!(told.as_str().unwrap().contains(words), "{words}: {told}");
+    }
+    // Where there is no motion that is said, and no longer once the place is back.
+    let message = "document.querySelector('.place:not(.kept) > .message:not([hidden])')?.textContent";
+    page.value("use('state').then(([s]) => s.update({place: [0.825, -0.1], cut: 'secondary'}))");
+    page.wait(&format!("/must be positive/.test({message}) && /must be positive/.test(document.getElementById('cut-message').textContent)"));
+    page.value("use('state').then(([s]) => s.update({place: [0.825, 0.95]}))");
+    page.wait(&format!("{CUT}.then((there) => there && {PLACE})"));
+    assert!(page.value(message).is_null());
 }
 
 #[test]
@@ -166,8 +185,22 @@ fn on_a_phone_a_finger_points_and_drags_the_ring() {
     assert!(second[0] > first[0] && second[1] > first[1], "{first:?} {second:?}");
     page.wait(PLACE);
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
-    page.click("[data-command=horizontal]", [0.0, 0.0]);
+    // A pinch that begins at the ring leaves the place where it was.
+    let place = state(&mut page, "place");
+    let [x, y] = page.middle("#handle");
+    page.fingers(&[&[[x + 4.0, y]], &[[x + 4.0, y], [x - 60.0, y]], &[[x + 14.0, y], [x - 80.0, y]]]);
+    assert_eq!(state(&mut page, "place"), place);
+    assert!(!state(&mut page, "view").is_null());
+    page.value("document.querySelector('[data-command=horizontal]').click()");
     page.wait(CUT);
+    // The plane, the cut and what is said of the place share the screen.
+    let edges = page.value("['stage', 'cut', 'place-section'].map((id) => document.getElementById(id).getBoundingClientRect()).map(({top, bottom}) => [top, bottom])");
+    let edge = |at: usize, end: usize| edges[at][end].as_f64().unwrap();
+    assert!(
+        edge(0, 0) >= 0.0 && edge(0, 1) <= edge(1, 0) && edge(1, 1) <= edge(2, 0) && edge(2, 1) <= 741.0,
+        "{edges}"
+    );
+    assert!(edge(1, 1) - edge(1, 0) > 120.0, "{edges}");
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
 }
 

@@ -76,12 +76,50 @@ fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
         "use('state').then(([s]) => s.update({view: {primary: [0.1, 0.11], secondary: [0.6, 0.61]}}))",
     );
     let told = page.wait(&format!("{QUIET} && /^No grazing/.test(document.getElementById('progress-text').textContent) && document.getElementById('progress-text').textContent"));
-    assert!(told.as_str().unwrap().contains("touches the wall nowhere"), "{told}");
+    assert!(
+        told.as_str()
+            .unwrap()
+            .contains("stays clear of it everywhere in A = [0.1, 0.11], omega = [0.6, 0.61]"),
+        "{told}"
+    );
+    let notes = "document.getElementById('notes-list').textContent";
+    let question = page.value(notes);
+    assert!(
+        question.as_str().unwrap().contains("has a frequency of 1, the forcing 0.6 to 0.61 (radians"),
+        "{question}"
+    );
     assert_eq!(
         page.value("use('diagram').then(([d]) => d.diagram.regions.map(({kind}) => kind))"),
         serde_json::json!(["non-impacting"])
     );
     assert_eq!(page.value("document.getElementById('progress-text').classList.contains('bad')"), false);
+    // Where nothing is stable all motion reaches beyond the wall.
+    page.value("use('state').then(([s]) => s.update({view: {primary: [2, 2.1], secondary: [0.3, 0.31]}}))");
+    page.wait(&format!("{QUIET} && /crosses it everywhere in A = .2, 2\\.1., .*, where it goes 1\\.\\d+ beyond it/.test(document.getElementById('progress-text').textContent)"));
+    // Of a view that reaches beyond what the oscillator allows the rest is drawn, and the command is about it.
+    page.value(
+        "use('state').then(([s]) => s.update({view: {primary: [-0.4, 1.2], secondary: [-0.4, 1.1]}}))",
+    );
+    page.wait(&format!("{WHOLE}.includes('Drawn for ω from 0.0')"));
+    assert!(
+        page.value(notes).as_str().unwrap().contains("motion.frequency: the frequency is -0.4 at A = -0.4")
+    );
+    let drawn = page.value("use('diagram', 'state', 'share').then(([d, s, h]) => [d.drawnView(s.get()).secondary, h.command(s.get())])");
+    let low = drawn[0][0].as_f64().unwrap();
+    assert!((0.06..0.1).contains(&low) && drawn[0][1] == 1.1, "{drawn}");
+    assert!(drawn[1].as_str().unwrap().contains(&format!("'fig07.frequency=[{low},1.1]'")), "{drawn}");
+    // Grey below, white above.
+    let ink = |page: &mut Browser, at: [f64; 2]| {
+        page.value(&format!("use('plane', 'model', 'state').then(([p, m, s]) => {{ const [x, y] = p.project(m.viewOf(s.get()))([{}, {}]).map(Math.round); \
+             return [...document.getElementById('plane').getContext('2d').getImageData(x, y, 1, 1).data].join(); }})", at[0], at[1]))
+    };
+    let [below, calm] = [[0.1, -0.2], [0.1, 0.7]].map(|at| ink(&mut page, at));
+    assert!(
+        below == ink(&mut page, [1.1, -0.35]) && below != calm && below != "255,255,255,255",
+        "{below} {calm}"
+    );
+    plane_key(&mut page, "0");
+    page.wait(&format!("use('diagram').then(([d]) => d.diagram.part === null && {WHOLE})"));
 }
 
 #[test]
@@ -192,7 +230,7 @@ fn on_a_phone_the_plane_is_pinched_and_nothing_is_wider_than_the_screen() {
     assert_eq!(page.value(small), 0);
     let [x, y] = page.middle("#plane");
     let fingers = |apart: f64| [[x - apart, y], [x + apart, y]];
-    page.fingers(&[fingers(40.0), fingers(60.0), fingers(80.0)]);
+    page.fingers(&[&fingers(40.0), &fingers(60.0), &fingers(80.0)]);
     let view = state(&mut page, "view");
     let [low, high] = [0, 1].map(|end| view["primary"][end].as_f64().unwrap());
     // Fingers twice as far apart show half as much.

@@ -303,6 +303,7 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         .map(|strike| [0, 1].map(|index| strike[index].as_f64().unwrap()))
         .collect();
     for solution in found {
+        assert_eq!(solution["reached"], true);
         let [velocity, phase] = ["velocity", "phase"].map(|key| solution[key].as_f64().unwrap());
         let close = |strike: &[f64; 2]| {
             let turns = (strike[0] - phase) / TAU;
@@ -310,6 +311,21 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         };
         assert!(strikes.iter().any(close), "{solution}");
     }
+}
+
+#[test]
+fn of_stable_solutions_those_that_no_start_reaches_are_marked() {
+    let server = Running::new(LIMITS);
+    let reached = |at: [f64; 2]| {
+        let (_, answer) =
+            server.post("place", &json!({"model": {"text": null}, "at": at, "orbits": false}).to_string());
+        let told: Value = answer.parse().unwrap();
+        let stable = told["solutions"].as_array().unwrap().clone().into_iter();
+        let stable = stable.filter(|one| one["stable"] == true && one["admissible"] == true);
+        stable.map(|one| json!([one["p"], one["reached"]])).collect::<Vec<_>>()
+    };
+    assert_eq!(reached([0.825, 0.95]), [json!([1, true]), json!([2, false])]);
+    assert_eq!(reached([0.05, 0.8]), [json!([0, true])]);
 }
 
 #[test]
@@ -378,6 +394,46 @@ fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
         json!({"model": {"text": moved, "loops": [1]}, "fixed": "primary", "at": 0.0, "range": [0.9, 1.0]});
     let (status, answer) = server.post("cut", &cut.to_string());
     assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+}
+
+#[test]
+fn of_a_view_that_reaches_beyond_what_is_allowed_the_rest_is_computed() {
+    let server = Running::new(LIMITS);
+    let model = json!({"text": null, "loops": [1]});
+    let view = json!({"primary": [0.0, 1.2], "secondary": [-0.5, 1.1]});
+    let (status, stream) = server.post("diagram", &json!({"model": model, "view": view}).to_string());
+    assert_eq!((status, events(&stream, "done").len()), (200, 1), "{stream}");
+    let part = &events(&stream, "part")[0];
+    let low = part["view"]["secondary"][0].as_f64().unwrap();
+    assert!((0.06..0.1).contains(&low) && part["view"]["primary"] == view["primary"], "{part}");
+    assert!(
+        part["reason"].as_str().unwrap().starts_with("motion.frequency: the frequency is -0.5"),
+        "{part}"
+    );
+    assert!(events(&stream, "regions")[0].as_array().is_some_and(|regions| regions.len() > 4));
+    // Places keep their numbers, and those beyond have no motion.
+    let tiles = json!({"model": model, "view": view, "columns": 2, "rows": 16, "periods": 12});
+    let (_, stream) = server.post("tiles", &tiles.to_string());
+    let cells = events(&stream, "tiles");
+    let cells = cells.iter().flat_map(|lot| lot["cells"].as_array().unwrap());
+    for cell in cells.clone() {
+        let above = -0.5 + 1.6 * (cell[1].as_f64().unwrap() + 0.5) / 16.0 > low;
+        assert_eq!(cell.as_array().unwrap().len(), if above { 6 } else { 2 }, "{cell}");
+    }
+    assert_eq!(cells.count(), 32);
+    let cut = json!({"model": model, "fixed": "primary", "at": 0.9, "range": [-0.5, 1.1]});
+    let (_, answer) = server.post("cut", &cut.to_string());
+    let strands = events(&answer, "branches")[0]["strands"].clone();
+    let least = strands.as_array().unwrap().iter().flat_map(|strand| strand["points"].as_array().unwrap());
+    let least = least.map(|point| point[0].as_f64().unwrap()).fold(f64::INFINITY, f64::min);
+    assert!(least >= low - 1e-9 && least < 0.3, "{least}");
+    // Where nothing is valid that is said.
+    let below = json!({"model": model, "view": {"primary": [0.0, 1.2], "secondary": [-0.5, -0.1]}});
+    let (status, told) = server.post("diagram", &below.to_string());
+    assert!(
+        status == 200 && events(&told, "error")[0]["message"].as_str().unwrap().contains("motion.frequency"),
+        "{told}"
+    );
 }
 
 #[test]

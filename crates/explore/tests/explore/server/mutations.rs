@@ -66,14 +66,17 @@ fn right(dice: &mut Dice) -> (&'static str, Value) {
     let view = json!({"primary": [0.2, 0.3], "secondary": [0.95, 0.97]});
     let nearby = json!({"solutions": [[1, 0.2, 0.1]], "attractors": [[1, [-1.0, 0.0, 0.0]]]});
     let exact = json!({"model": model, "view": view, "kind": "graz", "p": 0, "start": [0.0, 0.1], "at": [0.25, 0.96]});
-    match dice.below(7) {
+    let measured = json!({"name": "rig.csv", "text": "amplitude,omega,seen\n0.25,0.96,none\n"});
+    match dice.below(9) {
         5 => ("exact", exact),
         0 => ("check", model),
         1 => ("place", json!({"model": model, "at": [0.3, 0.8], "states": 1})),
         2 => ("place", json!({"model": model, "at": [0.3, 0.8], "orbits": false, "nearby": nearby})),
         3 => ("tiles", json!({"model": model, "view": view, "columns": 2, "rows": 2, "periods": 6})),
         4 => ("cut", json!({"model": model, "fixed": "secondary", "at": 0.9, "range": [0.2, 0.25]})),
-        _ => ("export", json!({"model": model, "view": view, "what": "csv:a"})),
+        6 => ("export", json!({"model": model, "view": view, "what": "csv:a"})),
+        7 => ("measured", json!({"model": model, "measured": measured})),
+        _ => ("compare", json!({"model": model, "view": view, "measured": measured})),
     }
 }
 
