@@ -17,16 +17,17 @@ pub struct Nothing {
     pub found: String,
     /// Free and forced frequencies, and whether they are meant, as a question; empty where the reason is another.
     pub question: String,
-    /// The remedy.
+    /// The remedy; empty if there is none.
     pub remedy: String,
 }
 
 impl Display for Nothing {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
         let Self { found, question, remedy } = self;
-        match question.is_empty() {
-            true => write!(formatter, "{found}: {remedy}"),
-            false => write!(formatter, "{found}. {question} If so, {remedy}"),
+        match (question.is_empty(), remedy.is_empty()) {
+            (_, true) => formatter.write_str(found),
+            (true, _) => write!(formatter, "{found}: {remedy}"),
+            (false, _) => write!(formatter, "{found}. {question} If so, {remedy}"),
         }
     }
 }
@@ -93,9 +94,10 @@ impl Nothing {
                 Self { found, question: question(description, height.parameters), remedy }
             }
             UnfoldError::RunsAway { .. } | UnfoldError::NoOrbit if !has_spring(description) => Self::plain(
-                "no periodic motion: motion.force does not depend on the position x, so nothing holds the oscillator near the wall",
-                "grazing here means grazing of a periodic motion without impacts; a ball that bounces on the wall has no such motion, \
+                "no periodic motion: motion.force does not depend on the position x, so nothing holds the oscillator near the wall. \
+                 Grazing here means grazing of a periodic motion without impacts; a ball that bounces on the wall has no such motion, \
                  so this analysis does not apply to it",
+                "",
             ),
             UnfoldError::RunsAway { escape } => escaped(escape, &at(escape.parameters), description),
             UnfoldError::NoOrbit => Self::plain(
@@ -182,20 +184,21 @@ fn rest(description: &Description, parameters: [f64; 2]) -> Option<f64> {
 fn question(description: &Description, parameters: [f64; 2]) -> String {
     let natural = description.natural_frequency(rest(description, parameters).unwrap_or(0.0), parameters);
     let [_, time, _] = description.unit_names();
-    let (scale, unit) = match time {
-        Some("s") => (TAU, " Hz".to_owned()),
-        Some("ms") => (TAU, " kHz".to_owned()),
-        Some(time) => (1.0, format!(" rad/{time}")),
-        None => (1.0, " (radians per unit of time)".to_owned()),
+    let (scale, unit, end) = match time {
+        Some("s") => (TAU, " Hz".to_owned(), ""),
+        Some("ms") => (TAU, " kHz".to_owned(), ""),
+        Some(time) => (1.0, format!(" rad/{time}"), ""),
+        None => (1.0, String::new(), ", in radians per unit of time"),
     };
     let of = |frequency: f64| brief(frequency / scale, 3);
     let free = match natural > 0.0 {
-        true => format!("Free motion there has a frequency of {}", of(natural)),
+        true => format!("Free motion there has a frequency of {}{unit}", of(natural)),
         false => "Nothing drives the oscillator back to rest there".to_owned(),
     };
     let [low, high] = description.forcing_frequencies().map(of);
     format!(
-        "{free}, the forcing {low} to {high}{unit}: is that meant, and is everything in coherent units (kg with N and m, not g or mm)?"
+        "{free}, and the forcing {low} to {high}{unit}{end}: is that meant, and is everything in coherent units (kg with N and m, not g \
+         or mm)?"
     )
 }
 

@@ -108,7 +108,7 @@ function request(value, coarse) {
 function notDrawn({ view, reason }, whole) {
   const cut = ["primary", "secondary"].filter((axis) => [0, 1].some((end) => view[axis][end] !== whole[axis][end]));
   const ranges = cut.map((axis) => `${plain(axisPieces(description[axis]))} from ${view[axis].map((value) => number(value, 3)).join(" to ")}`);
-  return `Drawn for ${ranges.join(", ")} alone; elsewhere ${reason}.`;
+  return `Drawn for ${ranges.join(", ")} alone. Elsewhere periods are too long, or ${reason}.`;
 }
 
 const job = (body) => async (signal) => {
@@ -260,7 +260,7 @@ let noted = "";
 /** The tables under the plane: resonances, and notes: those on the file, and what is missing. */
 export function list() {
   const { resonances } = diagram;
-  const notes = [...(description?.notes ?? []).map(noteOf), ...diagram.notes];
+  const notes = [...(description?.notes ?? []).map(noteOf), ...diagram.notes.map((note) => note.charAt(0).toUpperCase() + note.slice(1))];
   legend();
   // Those on the file are shown at once.
   if (description && description.notes.join() !== noted) {

@@ -87,10 +87,10 @@ fn free_and_forced_frequencies_stand_beside_each_other_with_the_question_whether
     let question =
         "Hz: is that meant, and is everything in coherent units (kg with N and m, not g or mm)? If so, widen";
     let grams = words(-0.000994, ["200", "0.001"]);
-    assert!(grams.contains("has a frequency of 0.616, the forcing 8 to 22 Hz"), "{grams}");
+    assert!(grams.contains("has a frequency of 0.616 Hz, and the forcing 8 to 22 Hz"), "{grams}");
     assert!(grams.contains(question) && grams.contains("having come 0.6 % of the way from rest"), "{grams}");
     let millimetres = words(-0.989, ["0.2", "1.0"]);
-    assert!(millimetres.contains("has a frequency of 19.5, the forcing 8 to 22 Hz"), "{millimetres}");
+    assert!(millimetres.contains("has a frequency of 19.5 Hz, and the forcing 8 to 22 Hz"), "{millimetres}");
     assert!(millimetres.contains(question) && millimetres.contains("having come 1.1 % of"), "{millimetres}");
     // Every message without grazing has it, with units or without.
     let plain = file("-1 + r", "0.9");
@@ -103,7 +103,9 @@ fn free_and_forced_frequencies_stand_beside_each_other_with_the_question_whether
     for error in whole.into_iter().chain(pushed).chain([no_grazing([-0.3, 3.4])]) {
         let words = told(&error, &plain);
         assert!(
-            words.contains("has a frequency of 1, the forcing 0.5 to 0.95 (radians per unit of time): is"),
+            words.contains(
+                "has a frequency of 1, and the forcing 0.5 to 0.95, in radians per unit of time: is"
+            ),
             "{words}"
         );
     }

@@ -25,6 +25,9 @@ fn of_a_view_that_reaches_beyond_what_is_allowed_the_largest_rectangle_inside_re
     assert_eq!((across, high), ([-2.0, 3.0], 2.0));
     assert!((0.068..0.08).contains(&low), "{low}");
     assert_eq!(part(&plain, [[0.0, 1.0], [-2.0, -1.0]]), None);
+    // A strip that is thinner than a cell.
+    let [_, [low, high]] = part(&plain, [[0.0, 1.0], [-10.0, 0.2]]).unwrap();
+    assert!((0.068..0.1).contains(&low) && high == 0.2, "{low}");
     assert_eq!(part(&plain, [[1.0, 0.0], [0.4, f64::NAN]]), None);
     // A frequency that falls, and a restitution that is positive on one side only.
     let [[left, right], [_, high]] = part(&file("(2 - omega)", "A"), [[-1.0, 3.0], [0.5, 4.0]]).unwrap();

@@ -85,7 +85,7 @@ fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
     let notes = "document.getElementById('notes-list').textContent";
     let question = page.value(notes);
     assert!(
-        question.as_str().unwrap().contains("has a frequency of 1, the forcing 0.6 to 0.61 (radians"),
+        question.as_str().unwrap().contains("has a frequency of 1, and the forcing 0.6 to 0.61, in radians"),
         "{question}"
     );
     assert_eq!(
