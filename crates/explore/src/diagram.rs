@@ -36,9 +36,13 @@ pub(crate) struct DiagramRequest {
     coarse: bool,
 }
 
-/// The diagrams that were computed last with all their regions, by model and view: measurements are compared with
-/// them.
-pub(crate) struct Kept(Mutex<VecDeque<(String, Arc<(Axes, Diagram)>)>>);
+/// A diagram, with the names and units of its axes.
+pub(crate) type OnAxes = Arc<(Axes, Diagram)>;
+/// Diagrams by model and view, newest first.
+type Last = VecDeque<(String, OnAxes)>;
+
+/// The diagrams that were computed last with all their regions: measurements are compared with them.
+pub(crate) struct Kept(Mutex<Last>);
 
 impl Kept {
     /// The number of diagrams.
@@ -48,7 +52,7 @@ impl Kept {
         Self(Mutex::new(VecDeque::new()))
     }
 
-    fn all(&self) -> MutexGuard<'_, VecDeque<(String, Arc<(Axes, Diagram)>)>> {
+    fn all(&self) -> MutexGuard<'_, Last> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -56,7 +60,7 @@ impl Kept {
         json!([model, view]).to_string()
     }
 
-    fn add(&self, key: String, axes: Axes, diagram: Diagram) -> Arc<(Axes, Diagram)> {
+    fn add(&self, key: String, axes: Axes, diagram: Diagram) -> OnAxes {
         let kept = Arc::new((axes, diagram));
         let mut all = self.all();
         all.retain(|(other, _)| *other != key);
@@ -67,12 +71,7 @@ impl Kept {
 }
 
 /// The diagram of a view with all its regions, computed if it is not among the last.
-pub(crate) fn whole(
-    model: &Model,
-    view: &View,
-    events: &Events,
-    stop: &Stop,
-) -> Result<Arc<(Axes, Diagram)>, Problem> {
+pub(crate) fn whole(model: &Model, view: &View, events: &Events, stop: &Stop) -> Result<OnAxes, Problem> {
     let key = Kept::key(model, view);
     let known = events.kept.all().iter().find(|(other, _)| *other == key).map(|(_, kept)| kept.clone());
     if let Some(kept) = known {
