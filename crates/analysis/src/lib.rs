@@ -2,6 +2,7 @@
 //! of `unfold`, in the oscillator's own units and names, as rows of tables. This crate neither draws nor
 //! writes files.
 
+pub mod along;
 mod described;
 pub mod family;
 pub mod limits;

@@ -50,13 +50,15 @@ export function follow() {
     if (file) told(() => ([file, compared, reading.of, comparing.of] = [null, null, "", ""]));
     return;
   }
-  const of = keyOf(model.text, data);
+  // Names of columns do not depend on constants.
+  const plain = { text: model.text, set: {}, loops: null };
+  const of = keyOf(plain, data);
   if (reading.of !== of) {
     // What was told of another file does not stay.
     reading.of = of;
     told(() => ([file, compared] = [null, null]));
     reading.now(async (signal) => {
-      const read = await ask("measured", { model, measured: data }, signal);
+      const read = await ask("measured", { model: plain, measured: data }, signal);
       if (signal.aborted) return;
       told(() => (file = { of, ...read }));
       follow();
@@ -156,7 +158,7 @@ function list() {
   const result = isRead && !wrong ? compared : null;
   $("measured-read").hidden = $("measured-marks").hidden = !isRead;
   for (const name of ["table", "against", "outside"]) $(`measured-${name}`).hidden = !result;
-  const now = !isRead || result || wrong ? "" : comparing.of ? `Comparing with regions and curves${progress} …` : "Not compared yet: the curves come first.";
+  const now = !isRead || result || wrong ? "" : comparing.of ? `Comparing with regions and curves${progress} …` : "Compared when all curves are there.";
   $("measured-progress").textContent = now;
   $("measured-progress").hidden = now === "";
   if (!isRead) return;

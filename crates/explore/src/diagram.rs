@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use grazing_analysis::along::forgotten;
 use grazing_analysis::nothing::Nothing;
 use grazing_analysis::plane::{self, Axes};
 use grazing_analysis::unfolded::{AtResonance, Prepared};
@@ -161,7 +162,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     events.send("curves", &approximations);
     // Curves that were sent under a wrong name, since they were mistaken for others, are not among these.
     events.send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
-    events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
+    let secondary = description.secondary().name();
+    let forgotten = diagram.grazing.iter().filter_map(|curve| forgotten(curve, secondary, &axes.units));
+    let forgotten = forgotten.map(|words| format!("grazing curve: {words}"));
+    events.send("notes", &plane::lost(&diagram).chain(forgotten).collect::<Vec<_>>());
     // Regions of stable solutions are shown all the same.
     if let Some(reason) = diagram.nothing() {
         let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);

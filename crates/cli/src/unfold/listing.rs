@@ -6,6 +6,7 @@ mod window;
 
 use std::path::Path;
 
+use grazing_analysis::along::{along_curve, forgotten};
 use grazing_analysis::nothing::place;
 use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
@@ -108,7 +109,7 @@ fn grazing_curves(layout: Layout, description: &Description, unfolded: &Analysis
             points.len(),
             ends(&curve.ends),
             along_curve(curve, secondary, units, |state| Some(stability(state))),
-            forgotten(curve, secondary, units)
+            forgotten(curve, secondary, units).map_or(String::new(), |words| format!("; {words}"))
         );
         (format!("  curve {arc:<5}"), content)
     };
@@ -144,40 +145,6 @@ fn stability(state: &GrazingState) -> &'static str {
         (_, true, false) => "neutral and inadmissible (beyond the wall at another phase)",
         (_, _, false) => "unstable and inadmissible (beyond the wall at another phase)",
     }
-}
-
-/// Where neighbouring motion is forgotten within a period; nothing if that is nowhere.
-fn forgotten(curve: &GrazingCurve, secondary: &str, units: &Units) -> String {
-    let words = |state: &GrazingState| {
-        state.is_forgotten().then_some("neighbouring motion is forgotten within a period")
-    };
-    match along_curve(curve, secondary, units, words) {
-        nowhere if nowhere.is_empty() => nowhere,
-        places => format!("; {places}: nothing is resonant there"),
-    }
-}
-
-/// What words say of the points of a curve, piece by piece; nothing of those without words.
-fn along_curve(
-    curve: &GrazingCurve,
-    secondary: &str,
-    units: &Units,
-    words: impl Fn(&GrazingState) -> Option<&'static str>,
-) -> String {
-    let mut pieces: Vec<(Option<&str>, [f64; 2])> = Vec::new();
-    for state in &curve.states {
-        let [_, here] = units.parameters(state.parameters());
-        let words = words(state);
-        match pieces.last_mut() {
-            Some((last, to)) if *last == words => to[1] = here,
-            _ => pieces.push((words, [here, here])),
-        }
-    }
-    let piece = |(words, ends): &(Option<&str>, [f64; 2])| match pieces.len() {
-        1 => words.map(|words| format!("{words} throughout")),
-        _ => words.map(|words| format!("{words} for {secondary} {}", range(*ends))),
-    };
-    pieces.iter().filter_map(piece).collect::<Vec<_>>().join(", ")
 }
 
 /// The secondary and the primary parameter as heads of columns, with their units.

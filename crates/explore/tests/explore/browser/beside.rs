@@ -57,7 +57,7 @@ fn a_file_of_measurements_is_shown_at_once_and_compared_without_new_curves() {
     assert_eq!(page.value("document.getElementById('measured-read').textContent"), read);
     assert_eq!(
         page.value("document.getElementById('measured-progress').textContent"),
-        "Not compared yet: the curves come first."
+        "Compared when all curves are there."
     );
     assert_eq!(page.value("use('diagram').then(([d]) => d.isBusy())"), true);
     // Then they are compared as far as they are in view.

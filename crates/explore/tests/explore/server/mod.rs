@@ -437,6 +437,25 @@ fn of_a_view_that_reaches_beyond_what_is_allowed_the_rest_is_computed() {
 }
 
 #[test]
+fn where_motion_is_forgotten_within_a_period_a_note_says_so() {
+    let server = Running::new(LIMITS);
+    // Forced ten times more slowly than it swings, and damped.
+    let (text, _) = narrow();
+    let damped = text.replace(
+        "-2*zeta*v - x - kappa*x^3 - 1 + A*cos(omega*t)",
+        "100*(-0.14*v - x - zeta*kappa*x^3 - 1 + A*cos(omega*t))",
+    );
+    assert!(damped != text);
+    let view = json!({"primary": [0.0, 2.0], "secondary": [0.95, 1.0]});
+    let asked = json!({"model": {"text": damped, "loops": [1]}, "view": view, "coarse": true});
+    let (status, stream) = server.post("diagram", &asked.to_string());
+    assert_eq!((status, events(&stream, "done").len()), (200, 1), "{stream}");
+    let notes = &events(&stream, "notes")[0];
+    let words = "grazing curve: neighbouring motion is forgotten within a period throughout: nothing is resonant there";
+    assert_eq!(*notes, json!([words]));
+}
+
+#[test]
 fn a_strand_of_a_cut_is_broken_where_a_visit_is_not_known() {
     let server = Running::new(LIMITS);
     // Loops of the paper's oscillator that gain and lose a maximum as its frequency changes.
