@@ -12,7 +12,6 @@ use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
-use grazing_model::smooth::Units;
 use grazing_results::{brief, span};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::resonances;
