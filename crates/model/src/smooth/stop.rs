@@ -367,6 +367,25 @@ mod tests {
     }
 
     #[test]
+    fn steps_are_counted_by_the_innermost_purpose() {
+        let stop = Stop::default();
+        let oscillator = spring(&stop);
+        let move_on = || (0..100).for_each(|_| assert!(position_after(&oscillator, 6.0).is_finite()));
+        Purpose::Lattices.during(|| {
+            move_on();
+            Purpose::Events.during(|| (move_on(), move_on()));
+            move_on();
+        });
+        let counts: Vec<u64> = stop.by_purpose().map(|(_, count)| count).collect();
+        assert_eq!(counts.iter().sum::<u64>(), stop.steps());
+        let of = |purpose: Purpose| counts[purpose as usize];
+        // Apart from the last few.
+        assert!(of(Purpose::Lattices).abs_diff(of(Purpose::Events)) <= LOT && of(Purpose::Events) > LOT);
+        assert_eq!(of(Purpose::Other), 0);
+        assert!(Purpose::ALL.iter().enumerate().all(|(place, purpose)| *purpose as usize == place));
+    }
+
+    #[test]
     fn an_end_that_is_withdrawn_before_the_steps_are_used_up_lifts_their_limit() {
         let stop = Stop::after(2 * LOT);
         let oscillator = spring(&stop);

@@ -7,6 +7,7 @@ mod corners;
 mod damped;
 mod examples;
 mod family;
+mod hard;
 mod levels;
 mod one_parameter;
 mod paper;

@@ -1,0 +1,82 @@
+//! Oscillators that escape from a well, or are forced much faster than they swing: their violent or
+//! inadmissible solutions are without number, and are not followed for ever.
+
+use grazing_continuation::curve::CurveEnd;
+use grazing_description::Description;
+use grazing_model::smooth::Stop;
+use grazing_unfold::regions::{Doubt, Region};
+use grazing_unfold::{Diagram, Scope};
+
+use crate::specimens::{described, scope};
+
+/// A well from which motion escapes.
+fn well(ranges: [[f64; 2]; 2]) -> Description {
+    described(["-0.08*v - (x + 0.5) - 0.8*(x + 0.5)^2 + mu*cos(eta*t)", "eta", "0"], 0.85, ranges)
+}
+
+fn computed(description: &Description, scope: &Scope, stop: &Stop) -> Diagram {
+    let at = [0.5, 0.5];
+    let oscillator = description.counted(scope.window.parameters(at), &description.units(), stop);
+    let scope = scope.without_dimensions(&description.units());
+    Diagram::compute(&oscillator, &scope, stop).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn curves_that_creep_along_the_edge_of_escape_end_early() {
+    let ranges = [[0.04, 0.12], [0.55, 0.62]];
+    let diagram = computed(&well(ranges), &scope(ranges[0], ranges[1], &[2]), &Stop::default());
+    for curve in &diagram.curves {
+        let points = curve.curve.points.len();
+        assert!(points < 2_000, "{points} points of {} to {:?}", curve.kind, curve.curve.end);
+        assert!(!matches!(curve.curve.end, CurveEnd::EventNotLocated { .. }), "{:?}", curve.curve.end);
+    }
+    assert!(diagram.curves.iter().any(|curve| curve.loops == 2));
+}
+
+#[test]
+fn solutions_far_beyond_the_wall_do_not_leave_a_window_undecided() {
+    let ranges = [[8.0, 11.0], [5.2, 6.0]];
+    let force = "-0.05*v - x - 0.1*x^3 - 1 + mu*cos(eta*t)";
+    let stop = Stop::default();
+    let diagram =
+        computed(&described([force, "eta", "0"], 0.9, ranges), &scope(ranges[0], ranges[1], &[1, 4]), &stop);
+    let doubts: Vec<_> = diagram.regions.iter().filter_map(|region| region.doubt.as_ref()).collect();
+    assert!(doubts.is_empty(), "{doubts:?}");
+    assert!(diagram.regions.iter().any(|region| region.loops == 1));
+    // Branches of four loops alone took ten times as many.
+    assert!(stop.steps() < 6_000_000, "{}", stop.steps());
+}
+
+#[test]
+fn what_is_decided_when_a_limit_is_reached_is_right_and_the_rest_is_not_finished() {
+    let ranges = [[0.02, 0.4], [0.8, 1.1]];
+    let (description, scope) = (well(ranges), scope(ranges[0], ranges[1], &[1]));
+    let all = Stop::default();
+    let whole = computed(&description, &scope, &all);
+    let window = whole.scope.window;
+    let holds = |regions: &[Region], shaded: bool, at: [f64; 2]| {
+        regions
+            .iter()
+            .any(|region| region.loops == 1 && region.doubt.is_none() == shaded && region.contains(at))
+    };
+    let mut partly = 0;
+    for share in [0.6, 0.7, 0.8, 0.9, 0.97] {
+        let stop = Stop::after((share * all.steps() as f64) as u64);
+        let cut = computed(&description, &scope, &stop);
+        assert!(!cut.unfinished.is_empty(), "{share}");
+        let doubts = cut.regions.iter().filter_map(|region| region.doubt.as_ref());
+        assert!(doubts.into_iter().all(|doubt| *doubt == Doubt::NotFinished), "{share}");
+        let (mut shaded, mut hatched) = (0, 0);
+        for place in (0..400).map(|k| [f64::from(k % 20), f64::from(k / 20)]) {
+            let at = window.parameters(place.map(|k| (k + 0.43) / 20.0));
+            if holds(&cut.regions, false, at) {
+                hatched += 1;
+            } else {
+                assert_eq!(holds(&cut.regions, true, at), holds(&whole.regions, true, at), "{share}: {at:?}");
+                shaded += u32::from(holds(&cut.regions, true, at));
+            }
+        }
+        partly += u32::from(shaded > 0 && hatched < 400);
+    }
+    assert!(partly > 1, "{partly}");
+}
