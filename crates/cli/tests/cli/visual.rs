@@ -5,9 +5,10 @@ use std::fs;
 use std::path::Path;
 
 use crate::program::{digest, edition, repository, snapshots};
-use crate::reading::{Reading, Text};
+use crate::reading::{Reading, Shape, Text};
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::{Edition, Format};
+use grazing_drawing::geometry::sheet::{Spot, cross, distance};
 use grazing_drawing::{Bounds, SheetWidth};
 use grazing_export::Drawing;
 
@@ -20,6 +21,9 @@ const SMALLEST_SCRIPT: f64 = 5.0;
 /// Points by which boxes of ink may touch or leave the sheet: coordinates are rounded to 0.01 point
 /// in the file, and a stroke's width is counted to its mitred corners.
 const HAIR: f64 = 0.15;
+/// The least distance between labels of the same text, in points, and the greatest length of a leader.
+const TWINS: f64 = 8.0;
+const LONGEST_LEADER: f64 = 40.0;
 /// The greatest height in points that leaves room for a caption on a page of class article, whose
 /// text is 550 points high, at the widths of a journal: a caption of seven lines takes 90.
 const HIGHEST: f64 = 460.0;
@@ -32,11 +36,12 @@ fn registered() -> Vec<(&'static str, String)> {
     figures.map(|output| (output.name, output.figure_file())).collect()
 }
 
-/// The figures in a folder.
-fn figures(folder: &Path) -> BTreeMap<&'static str, Drawing> {
+/// The figures in a folder, each with its text.
+fn figures(folder: &Path) -> BTreeMap<&'static str, (String, Drawing)> {
     let read = |file: &str| {
         let svg = fs::read_to_string(folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
-        Drawing::read(&svg).unwrap_or_else(|error| panic!("{file}: {error}"))
+        let figure = Drawing::read(&svg).unwrap_or_else(|error| panic!("{file}: {error}"));
+        (svg, figure)
     };
     registered().into_iter().map(|(name, file)| (name, read(&file))).collect()
 }
@@ -85,18 +90,17 @@ fn words(texts: &[Text]) -> BTreeSet<String> {
 #[test]
 fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
     let here = figures(&repository().join("figures"));
-    for (name, figure) in &here {
+    for (name, (svg, figure)) in &here {
         assert_eq!(faults(figure), [""; 0], "{name} at the paper's width");
-    }
-    for (name, file) in registered() {
-        let svg = fs::read_to_string(repository().join("figures").join(file)).expect("the figure is there");
+        assert_eq!(misnamings(svg, figure), [""; 0], "{name} at the paper's width");
         assert!(svg.contains("<title>") && !svg.contains("<title></title>"), "{name} has no title");
     }
     assert_eq!(crossings(&repository().join("figures")), [""; 0], "Figure 7 at the paper's width");
     for (columns, millimetres) in [(SheetWidth::OneColumn, 86.0), (SheetWidth::TwoColumns, 178.0)] {
         let folder = edition(&[Format::Svg], columns);
-        for (name, figure) in figures(folder.path()) {
+        for (name, (svg, figure)) in figures(folder.path()) {
             assert_eq!(faults(&figure), [""; 0], "{name} at {millimetres} mm");
+            assert_eq!(misnamings(&svg, &figure), [""; 0], "{name} at {millimetres} mm");
             let (width, height) = figure.size();
             // The file has the width in millimetres to two decimals.
             assert!(
@@ -104,13 +108,13 @@ fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
                 "{name} at {millimetres} mm: {width} points"
             );
             assert!(height <= HIGHEST, "{name} at {millimetres} mm is {height} points high");
-            assert_eq!(words(&here[name].texts()), words(&figure.texts()), "{name} at {millimetres} mm");
+            assert_eq!(words(&here[name].1.texts()), words(&figure.texts()), "{name} at {millimetres} mm");
         }
         assert_eq!(crossings(folder.path()), [""; 0], "Figure 7 at {millimetres} mm");
     }
 }
 
-/// Further faults of Figure 7: shapes that cross the frame of its panel, open rectangles, labels on lines.
+/// Further faults of Figure 7: shapes that cross the frame of its panel, open rectangles.
 fn crossings(folder: &Path) -> Vec<String> {
     let svg = fs::read_to_string(folder.join("fig07.svg")).expect("the figure is there");
     let figure = Drawing::read(&svg).expect("it can be read");
@@ -135,17 +139,56 @@ fn crossings(folder: &Path) -> Vec<String> {
         faults.push(format!("{} rectangles for {panels:?}", rectangles.len()));
     }
     faults.extend(rectangles.iter().filter(|line| !line.contains("Z\"")).map(|line| format!("open: {line}")));
-    for text in figure.texts() {
-        for shape in shapes.iter().filter(|shape| shape.stroke.is_some()) {
-            let reach = 0.5 * shape.stroke.unwrap_or_default() - HAIR;
-            let closed = shape.points.iter().chain(shape.points.first());
-            let ends: Vec<&(f64, f64)> =
-                if shape.filled { closed.collect() } else { shape.points.iter().collect() };
-            let touched =
-                |glyph: &Bounds| ends.windows(2).any(|pair| glyph.grown(reach).meets(*pair[0], *pair[1]));
-            if text.glyphs.iter().any(touched) {
-                faults.push(format!("`{}` touches a line at {:?}", text.text, shape.bounds));
-            }
+    faults
+}
+
+/// Whether ink of a label touches a line.
+fn touches(text: &Text, shape: &Shape) -> bool {
+    let reach = 0.5 * shape.stroke.unwrap_or_default() - HAIR;
+    let closed = shape.points.iter().chain(shape.points.first());
+    let ends: Vec<&(f64, f64)> = if shape.filled { closed.collect() } else { shape.points.iter().collect() };
+    let touched = |glyph: &Bounds| ends.windows(2).any(|pair| glyph.grown(reach).meets(*pair[0], *pair[1]));
+    shape.stroke.is_some() && text.glyphs.iter().any(touched)
+}
+
+/// The leaders of a figure, each from its label to what is named.
+fn leaders(svg: &str) -> Vec<(Spot, Spot)> {
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let spot = |text: &str| text.split_once(',').map(|(x, y)| (number(x), number(y)));
+    let ends = |line: &str| {
+        let data = line.split("d=\"M").nth(1)?.split('"').next()?;
+        let (from, to) = data.split_once('L')?;
+        spot(from).zip(spot(to))
+    };
+    let all = svg.lines().filter(|line| line.contains(" class=\"leader\""));
+    all.map(|line| ends(line).expect("a leader is one straight line")).collect()
+}
+
+/// The faults of labels and leaders: labels on lines or clouds of points, or beside another one of the same
+/// text; leaders that cross each other or a label, or are long.
+fn misnamings(svg: &str, figure: &Drawing) -> Vec<String> {
+    let (texts, shapes, leaders) = (figure.texts(), figure.shapes(), leaders(svg));
+    let mut faults = Vec::new();
+    for text in &texts {
+        for shape in shapes.iter().filter(|shape| touches(text, shape)) {
+            faults.push(format!("`{}` touches a line at {:?}", text.text, shape.bounds));
+        }
+    }
+    let named: Vec<&Text> = texts.iter().filter(|text| text.text.chars().any(char::is_alphabetic)).collect();
+    for (index, text) in named.iter().enumerate() {
+        let twins = named[..index].iter().filter(|other| other.text == text.text);
+        for other in twins.filter(|other| text.overlaps(other, -TWINS)) {
+            faults.push(format!("`{}` stands beside another one: {:?}", text.text, other.bounds()));
+        }
+    }
+    for (index, &(from, to)) in leaders.iter().enumerate() {
+        faults.extend(leaders[..index].iter().filter(|other| cross(**other, (from, to))).map(|other| {
+            format!("the leaders from {from:?} to {to:?} and from {:?} to {:?} cross", other.0, other.1)
+        }));
+        let covered = texts.iter().filter(|text| text.glyphs.iter().any(|glyph| glyph.meets(from, to)));
+        faults.extend(covered.map(|text| format!("the leader to {to:?} crosses `{}`", text.text)));
+        if distance(from, to) > LONGEST_LEADER {
+            faults.push(format!("the leader to {to:?} is {:.0} points long", distance(from, to)));
         }
     }
     faults
@@ -234,12 +277,12 @@ fn no_figure_changes_unnoticed() {
 
 #[test]
 fn every_fault_of_a_figure_is_found_out() {
-    let svg = |body: &str| {
-        let svg = format!(
+    let document = |body: &str| {
+        format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"50\" font-family=\"STIX Two Text\">{body}</svg>"
-        );
-        faults(&Drawing::read(&svg).expect("it can be read"))
+        )
     };
+    let svg = |body: &str| faults(&Drawing::read(&document(body)).expect("it can be read"));
     let good = "<text x=\"10\" y=\"20\" font-size=\"8\">PD</text><path d=\"M1,1L9,9\" stroke=\"#000\"/>";
     assert_eq!(svg(good), [""; 0]);
     for (body, fault) in [
@@ -250,6 +293,17 @@ fn every_fault_of_a_figure_is_found_out() {
         ("<g transform=\"scale(0.1)\"><path d=\"M50,60L60,40\" stroke=\"#000\"/></g>", "0.100 points wide"),
     ] {
         let found = svg(&format!("{good}{body}"));
+        assert!(found.len() == 1 && found[0].contains(fault), "{fault}: {found:?}");
+    }
+    for (body, fault) in [
+        ("<path d=\"M8,17L30,18\" stroke=\"#000\"/>", "`PD` touches a line"),
+        ("<text x=\"10\" y=\"30\" font-size=\"8\">PD</text>", "beside another one"),
+        ("<path d=\"M60,10L60,30\" class=\"leader\"/><path d=\"M50,20L70,21\" class=\"leader\"/>", "cross"),
+        ("<path d=\"M50,17L12,17\" class=\"leader\"/>", "crosses `PD`"),
+        ("<path d=\"M50,40L95,40\" class=\"leader\"/>", "45 points long"),
+    ] {
+        let svg = document(&format!("{good}{body}").replace("><", ">\n<"));
+        let found = misnamings(&svg, &Drawing::read(&svg).expect("it can be read"));
         assert!(found.len() == 1 && found[0].contains(fault), "{fault}: {found:?}");
     }
     let turned = "<text transform=\"rotate(45 10 20)\" x=\"10\" y=\"20\" font-size=\"8\">PD</text>";

@@ -163,6 +163,7 @@ mod tests {
 
     use super::*;
     use crate::SheetWidth;
+    use crate::ink::style::TRIANGLE_SIZE;
     use crate::tests::sample_oscillator::{SampleOscillator, UNIT, oscillators, sample};
     use crate::tests::samples::WIDTHS;
 
@@ -273,22 +274,30 @@ mod tests {
     }
 
     #[test]
-    fn rectangles_smaller_than_the_triangle_leave_it_visible_and_keep_their_letters() {
+    fn a_rectangle_too_small_to_be_drawn_is_dotted_around_its_place() {
         let mut sample = sample(3);
+        // All rectangles, and those that are dotted.
         let rectangles = |sample: &SampleOscillator| {
             let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
-            crate::tests::inspection::paths(&svg, "#f08200").len()
+            let dotted = svg.lines().filter(|line| line.contains("#f08200") && line.contains("dasharray"));
+            let all = crate::tests::inspection::paths(&svg, "#f08200");
+            for outline in &all {
+                let Bounds { left, top, right, bottom } = Bounds::around(outline);
+                assert!(right - left > TRIANGLE_SIZE && bottom - top > TRIANGLE_SIZE, "{outline:?}");
+            }
+            // One dotted rectangle is in the legend.
+            [all.len(), dotted.count().saturating_sub(1)]
         };
-        assert_eq!(rectangles(&sample), 3);
+        assert_eq!(rectangles(&sample), [3, 0]);
         let Frame { x: [left, _], y: [low, _] } = sample.diagram.magnified[1].frame;
         // A thousandth of the range is a third of a point on the sheet.
         sample.diagram.magnified[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
-        assert_eq!(rectangles(&sample), 2);
+        assert_eq!(rectangles(&sample), [3, 1]);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
         // Wide, but no higher than the line is thick.
         let Frame { x: [left, right], y: [low, _] } = sample.diagram.magnified[2].frame;
         sample.diagram.magnified[2].frame = Frame { x: [left, right], y: [low, low + 0.002] };
-        assert_eq!(rectangles(&sample), 1);
+        assert_eq!(rectangles(&sample), [3, 2]);
         assert!(texts(&sample).contains(&"(c)".to_owned()));
     }
 

@@ -5,6 +5,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::{
     CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint,
 };
+use grazing_results::raised;
 
 use crate::error::DrawingError;
 use crate::figures::look::Look;
@@ -95,10 +96,18 @@ pub fn draw_straightened(
 ) -> Result<Vec<Sheet>, DrawingError> {
     let least = figure.curves.iter().map(|row| row.eta.abs()).fold(f64::INFINITY, f64::min);
     let decades = Decades { least: libm::round(libm::log10(least)) as i32 };
-    let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, r"$\eta$", Some(decades));
+    let [of_primary, of_secondary] = heading.names.parameter_units();
+    let of_ratio = of_primary.zip(of_secondary.as_ref());
+    let title = |title: &str, known: bool, unit: &str| match known {
+        true => format!("{title} ({})", raised(&heading.names.unit(unit))),
+        false => title.to_owned(),
+    };
+    let across = title(r"$\mu/\eta^{2}$", of_ratio.is_some(), "{primary}/{secondary}^2");
+    let up = title(r"$\eta$", of_secondary.is_some(), "{secondary}");
+    let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, &up, Some(decades));
     let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
     let heading = Heading { tables: &[], ..*heading };
-    draw_panels(&heading, width, r"$\mu/\eta^{2}$", &panels, |panel, place| {
+    draw_panels(&heading, width, &across, &panels, |panel, place| {
         let MagnifiedPanel { panel: number, loops, .. } = figure.panels[place];
         let mut labels = Labels::new(panel.canvas, panel.bounds);
         let grazing = vec![(0.0, panel.frame.y[0]), (0.0, panel.frame.y[1])];
@@ -166,6 +175,7 @@ fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Trace> {
 #[cfg(test)]
 mod tests {
     use grazing_continuation::bifurcation::Pair;
+    use grazing_results::UnitNames;
 
     use super::*;
     use crate::SheetWidth;
@@ -181,6 +191,30 @@ mod tests {
                     sheet.assert_well_placed(&(&sample.names, width));
                     // A4 minus margins of 30 mm above and below, and 30 mm for the caption.
                     assert!(sheet.size.1 < (297.0 - 90.0) * crate::ink::svg::POINTS_PER_MM);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn straightened_axes_have_the_units_of_both_parameters() {
+        let mut sample = sample(2);
+        for (units, titles) in [
+            ([None, None], [r"$\mu/\eta^{2}$", r"$\eta$"]),
+            ([None, Some("rad/s")], [r"$\mu/\eta^{2}$", r"$\eta$ (rad/s)"]),
+            ([Some("N"), Some("rad/s")], [r"$\mu/\eta^{2}$ (N/(rad/s)$^{2}$)", r"$\eta$ (rad/s)"]),
+        ] {
+            let [primary, secondary] = units.map(|unit| unit.map(str::to_owned));
+            let units = UnitNames { primary, secondary, ..UnitNames::default() };
+            sample.names = sample.names.with_units(units);
+            for width in WIDTHS {
+                for sheet in draw_straightened(&sample.straightened, &sample.magnified(), width).unwrap() {
+                    sheet.assert_well_placed(&(titles, width));
+                    for panel in sheet.panels() {
+                        // A power of ten may stand before the title.
+                        let [across, up] = &panel.titles;
+                        assert!(across == titles[0] && (up.is_empty() || up == titles[1]), "{across}, {up}");
+                    }
                 }
             }
         }

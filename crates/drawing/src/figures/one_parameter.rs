@@ -9,13 +9,14 @@ use crate::error::DrawingError;
 use crate::geometry::clip::checked;
 use crate::geometry::sheet::Bounds;
 use crate::ink::canvas::Canvas;
+use crate::ink::font::Fonts;
 use crate::ink::labels::Labels;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::branches::diagram;
-use crate::plot::portraits::{Caption, draw_portraits, equation, letters, portraits, row_height};
+use crate::plot::portraits::{Caption, Portraits, equation, letters};
 use crate::plot::ticks::measured;
 
 /// The width of this figure in the paper.
@@ -71,7 +72,6 @@ pub fn draw_one_parameter(
         (heading.names, heading.tables.split_at(heading.tables.len().saturating_sub(1)));
     let frame = checked(figure.frame, "a one-parameter diagram")?;
     let magnified = figure.magnified.map(|part| checked(part, "its magnification")).transpose()?;
-    let portraits = portraits(figure);
     let ([across, held], [axis, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
     let [_, unit] = figure.exchanged(names.parameter_units()).map(Option::unwrap_or_default);
     let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
@@ -92,20 +92,18 @@ pub fn draw_one_parameter(
 
     let width = width.mm(WIDTH_MM);
     let narrow = width < WIDE_MM;
-    let columns = if narrow { IN_A_ROW / 2 } else { IN_A_ROW };
-    let rows = portraits.len().div_ceil(columns);
-    let portraits_end = rows as f64 * row_height(rows);
+    let in_a_row = if narrow { IN_A_ROW / 2 } else { IN_A_ROW };
+    let caption = Caption { across: &across, titles: [x, y], table: portrait_tables };
+    let portraits = Portraits::new(&Fonts::load()?, figure, caption, in_a_row, width * POINTS_PER_MM)?;
+    let portraits_end = portraits.height();
     let height = match magnified {
         None => HEIGHT,
         Some(_) if narrow => 2.0 * STACKED_HEIGHT + STACKED_GAP,
         Some(_) => MAGNIFIED_HEIGHT,
     };
     let canvas = Canvas::new(width, (portraits_end + height) / POINTS_PER_MM)?;
-    if rows > 0 {
-        let caption = Caption { across: &across, titles: [x, y], table: portrait_tables };
-        draw_portraits(&canvas, figure, &portraits, &caption, rows)?;
-    }
-    let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
+    portraits.draw(&canvas)?;
+    let top = portraits_end + if portraits.shown.is_empty() { ABOVE } else { LETTERS };
     let panel = |frame, bounds| Panel {
         tables,
         only: Some(("diagram", figure.diagram)),
@@ -117,7 +115,7 @@ pub fn draw_one_parameter(
         .map(|(frame, bounds)| panel(frame, bounds))
         .collect();
     let whole = &panels[0];
-    let guides = letters(whole, figure, &portraits)?;
+    let guides = letters(whole, figure, &portraits.shown)?;
     if let [_, part] = &panels[..] {
         let outline = part.frame.outline();
         whole.line(&outline, MAGNIFIER);
@@ -267,14 +265,12 @@ mod tests {
 
     #[test]
     fn no_two_labels_overlap_for_any_parameters_units_and_portraits_at_any_width() {
-        for names in [["A", "omega"], ["F_0", "forcing_frequency"]] {
+        for names in [["A", "omega"], ["F_0", "forcing_frequency"], ["amplitude_of_the_exciter", "Omega"]] {
             let names = Names::new(names[0], names[1]);
             for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
             {
                 for (figure, width) in in_both_roles(sample(scale, portraits))
                     .iter()
-                    // Headings of portraits have no room for a long name of the parameter across.
-                    .filter(|figure| !figure.primary_is_fixed || portraits == 0 || names.secondary.len() < 8)
                     .flat_map(|figure| WIDTHS.map(|width| (figure, width)))
                 {
                     let sheet = drawn(figure, &names, width);

@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use crate::geometry::sheet::{Bounds, Spot, along, distance, inside, thinned};
+use crate::geometry::sheet::{Bounds, Spot, along, cross, distance, inside, thinned};
 
 /// The objects on a panel that labels must avoid.
 pub struct Placer {
@@ -13,12 +13,32 @@ pub struct Placer {
     /// Segments of curves that never have labels of their own.
     nameless: Vec<(Spot, Spot)>,
     dust: Vec<Spot>,
+    /// The leaders of the labels placed so far.
+    leaders: Vec<(Spot, Spot)>,
+    /// The labels placed so far: their texts and boxes.
+    placed: Vec<(String, Bounds)>,
     /// The greatest distance of a label from its spot, in points.
     pub(crate) farthest: f64,
 }
 
-/// Distances of a label from its spot that are tried, in points; from 5 on with a leader.
-const GAPS: [f64; 10] = [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0];
+/// A label that is to be placed: its text, and the size of its box in points.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wanted<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+}
+
+/// Distances of a label from its spot that are tried, in points; from [`LED`] on with a leader.
+const GAPS: [f64; 9] = [0.0, 2.0, LED, 9.0, 14.0, 20.0, 26.0, 32.0, 38.0];
+const LED: f64 = 5.0;
+/// The least distance between two labels of the same text, in points, so that each is seen to belong to
+/// something of its own.
+const TWINS: f64 = 10.0;
+/// The points of distance that a label may be farther away so that its leader crosses one curve less, and
+/// so that it covers a square point of a cloud less (visual choices).
+const CROSSING: f64 = 15.0;
+const COVERING: f64 = 2.0;
 
 /// The position of a label.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,9 +50,9 @@ pub(crate) struct LabelPlace {
 
 impl Placer {
     pub(crate) fn new(panel: Bounds) -> Self {
-        let farthest = f64::INFINITY;
-        let (blocked, dust) = (Vec::new(), Vec::new());
-        Placer { panel, blocked, segments: Vec::new(), nameless: Vec::new(), dust, farthest }
+        let (blocked, segments, nameless, dust) = Default::default();
+        let (leaders, placed) = Default::default();
+        Placer { panel, blocked, segments, nameless, dust, leaders, placed, farthest: f64::INFINITY }
     }
 
     /// Makes labels avoid a box.
@@ -65,52 +85,55 @@ impl Placer {
         self.dust.iter().filter(covers).count()
     }
 
-    /// The number of curve segments that a box meets; `None` if the box cannot be there at all.
-    fn cost(&self, bounds: &Bounds) -> Option<usize> {
-        if !self.panel.holds(bounds) || self.blocked.iter().any(|b| b.overlaps(bounds)) {
-            return None;
-        }
-        Some(self.segments.iter().chain(&self.nameless).filter(|(a, b)| bounds.meets(*a, *b)).count())
+    /// The box of a label at a centre if the label may be there: inside the panel, off everything, and not
+    /// beside another one of the same text.
+    fn free(&self, centre: Spot, label: Wanted<'_>) -> Option<Bounds> {
+        let bounds = Bounds::about(centre, label.width, label.height);
+        let (around, lines) = (bounds.grown(TWINS), [&self.segments, &self.nameless, &self.leaders]);
+        let taken = self.blocked.iter().any(|b| b.overlaps(&bounds))
+            || self.placed.iter().any(|(text, twin)| text == label.text && twin.overlaps(&around))
+            || lines.into_iter().flatten().any(|(a, b)| bounds.meets(*a, *b));
+        (self.panel.holds(&bounds) && !taken).then_some(bounds)
     }
 
-    fn take(&mut self, place: Option<LabelPlace>) -> Option<LabelPlace> {
-        if let Some(found) = place {
-            self.blocked.push(found.bounds.grown(1.0));
-            if let Some((from, to)) = found.leader {
-                self.segments.push((from, to));
-            }
+    fn take(&mut self, text: &str, place: Option<LabelPlace>) -> Option<LabelPlace> {
+        if let Some(LabelPlace { bounds, leader }) = place {
+            self.blocked.push(bounds.grown(1.0));
+            self.placed.push((text.to_owned(), bounds));
+            self.leaders.extend(leader);
         }
         place
     }
 
-    /// A position beside a curve, as near to its middle as there is room, on either side.
-    pub(crate) fn beside_curve(&mut self, curve: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
-        const FRACTIONS: [f64; 15] =
-            [0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74, 0.2, 0.8, 0.14, 0.86, 0.08, 0.92];
-        let spots: Vec<(Spot, Spot)> = FRACTIONS.iter().filter_map(|&f| along(curve, f)).collect();
+    /// A position beside a curve, as near to its middle as there is room, on either side; off clouds of
+    /// points unless it `covers` them.
+    pub(crate) fn beside_curve(
+        &mut self,
+        curve: &[Spot],
+        label: Wanted<'_>,
+        covers: bool,
+    ) -> Option<LabelPlace> {
+        // Fractions of the curve from its middle to 0.08 from its ends.
+        let fractions = (0..=14).flat_map(|k| [0.5 - 0.03 * f64::from(k), 0.5 + 0.03 * f64::from(k)]);
+        let spots: Vec<(Spot, Spot)> = fractions.skip(1).filter_map(|f| along(curve, f)).collect();
         let foreign = self.all_but(curve);
-        let place_at = |(at, direction): (Spot, Spot), side: f64, gap: f64| {
+        let centre = |(at, direction): (Spot, Spot), side: f64, gap: f64| {
             let normal = (direction.1 * side, -direction.0 * side);
             // The half-width of the box along the normal, which places its nearest corner or edge at the
             // gap.
-            let reach = 0.5 * (width * normal.0.abs() + height * normal.1.abs()) + gap;
-            let bounds = Bounds::about((at.0 + normal.0 * reach, at.1 + normal.1 * reach), width, height);
-            LabelPlace { bounds, leader: None }
+            let reach = 0.5 * (label.width * normal.0.abs() + label.height * normal.1.abs()) + gap;
+            (at.0 + normal.0 * reach, at.1 + normal.1 * reach)
         };
         // First positions where the label is clearly nearer to its own curve than to any other, then
         // those where it is only just nearer.
         let rounds = [(1.5, 2.0), (2.5, 2.0), (4.0, 2.0), (1.5, -0.3), (2.5, -0.3), (4.0, -0.3), (6.0, -0.3)];
         for (gap, lead) in rounds {
-            for &spot in &spots {
-                for side in [1.0, -1.0] {
-                    let place = place_at(spot, side, gap);
-                    let near = place.bounds.grown(gap + lead);
-                    if self.cost(&place.bounds) == Some(0)
-                        && !foreign.iter().any(|&(a, b)| near.meets(a, b))
-                        && (lead < 0.0 || self.dusty(&place.bounds) == 0)
-                    {
-                        return self.take(Some(place));
-                    }
+            for (&spot, side) in spots.iter().flat_map(|spot| [(spot, 1.0), (spot, -1.0)]) {
+                let Some(bounds) = self.free(centre(spot, side, gap), label) else { continue };
+                let near = bounds.grown(gap + lead);
+                let own = !foreign.iter().any(|&(a, b)| near.meets(a, b));
+                if own && (covers || self.dusty(&bounds) == 0) {
+                    return self.take(label.text, Some(LabelPlace { bounds, leader: None }));
                 }
             }
         }
@@ -126,8 +149,15 @@ impl Placer {
         rest.map(|(_, segment)| *segment).collect()
     }
 
-    /// A position around a spot: close to it if there is room, otherwise farther away with a leader.
-    pub(crate) fn around(&mut self, at: Spot, clearance: f64, width: f64, height: f64) -> Option<LabelPlace> {
+    /// A position around one of several spots: close to it if there is room, otherwise, or if it is `led`,
+    /// farther away with a leader.
+    pub(crate) fn around(
+        &mut self,
+        spots: &[Spot],
+        clearance: f64,
+        label: Wanted<'_>,
+        led: bool,
+    ) -> Option<LabelPlace> {
         // Unit vectors to the right, then at multiples of 22.5 degrees to either side: cos and sin of 0,
         // 22.5, 45, 67.5, 90.
         const TURNS: [Spot; 5] = [
@@ -140,43 +170,40 @@ impl Placer {
         let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
         let directions: Vec<Spot> = directions.collect();
         let mut best: Option<(f64, LabelPlace)> = None;
-        for gap in GAPS.into_iter().filter(|gap| *gap <= self.farthest) {
-            for &(right, down) in &directions {
+        for gap in GAPS.into_iter().filter(|gap| *gap <= self.farthest && (*gap > LED || !led)) {
+            let places = spots.iter().flat_map(|spot| directions.iter().map(move |turn| (*spot, *turn)));
+            for (at, (right, down)) in places {
                 let reach = clearance + gap;
-                let centre = (at.0 + right * (0.5 * width + reach), at.1 + down * (0.5 * height + reach));
-                let bounds = Bounds::about(centre, width, height);
-                let leader = (gap > 2.0).then(|| leader(&bounds, at, clearance));
-                if self.cost(&bounds) != Some(0) {
+                let (across, up) = (0.5 * label.width + reach, 0.5 * label.height + reach);
+                let Some(bounds) = self.free((at.0 + right * across, at.1 + down * up), label) else {
                     continue;
-                }
+                };
+                let leader = (gap >= LED).then(|| leader(&bounds, at, clearance));
                 let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
                     continue;
                 };
-                // A curve crossed by the leader costs as much as 15 points of distance (a visual choice).
-                let cost = gap + 15.0 * crossed as f64 + 0.5 * self.dusty(&bounds) as f64;
+                let cost = gap + CROSSING * crossed as f64 + COVERING * self.dusty(&bounds) as f64;
                 if best.is_none_or(|(cheapest, _)| cost < cheapest) {
                     best = Some((cost, LabelPlace { bounds, leader }));
                 }
             }
         }
-        self.take(best.map(|(_, place)| place))
+        self.take(label.text, best.map(|(_, place)| place))
     }
 
-    /// The number of curves that a leader crosses; `None` if it passes through a blocked box.
+    /// The number of curves that a leader crosses; `None` if it passes through a blocked box or crosses
+    /// another leader.
     fn crossed(&self, (from, to): (Spot, Spot)) -> Option<usize> {
-        if self.blocked.iter().any(|b| b.meets(from, to)) {
+        let meets = |&&(a, b): &&(Spot, Spot)| cross((a, b), (from, to));
+        if self.blocked.iter().any(|b| b.meets(from, to)) || self.leaders.iter().any(|other| meets(&other)) {
             return None;
         }
-        let side = |a: Spot, b: Spot, c: Spot| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
-        let meets = |&&(a, b): &&(Spot, Spot)| {
-            side(a, b, from) != side(a, b, to) && side(from, to, a) != side(from, to, b)
-        };
         Some(self.segments.iter().filter(meets).count())
     }
 
     /// The position inside a polygon that is farthest from everything else; `None` if the box does not
     /// fit.
-    pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
+    pub(crate) fn within(&mut self, polygon: &[Spot], label: Wanted<'_>) -> Option<LabelPlace> {
         let polygon = thinned(polygon);
         let Bounds { left, top, right, bottom } = Bounds::around(&polygon).common(self.panel);
         // About 900 trial positions, at least a point apart.
@@ -186,16 +213,17 @@ impl Placer {
         while y < bottom {
             let mut x = left + 0.5 * pitch;
             while x < right {
-                let bounds = Bounds::about((x, y), width, height);
-                let corners = [
-                    (bounds.left, bounds.top),
-                    (bounds.right, bounds.top),
-                    (bounds.right, bounds.bottom),
-                    (bounds.left, bounds.bottom),
-                ];
-                if corners.iter().all(|&c| inside(&polygon, c)) && self.cost(&bounds) == Some(0) {
+                if let Some(bounds) = self.free((x, y), label) {
+                    let corners = [
+                        (bounds.left, bounds.top),
+                        (bounds.right, bounds.top),
+                        (bounds.right, bounds.bottom),
+                        (bounds.left, bounds.bottom),
+                    ];
                     let clearance = self.clearance(&bounds);
-                    if best.is_none_or(|(widest, _)| clearance > widest) {
+                    if corners.iter().all(|&c| inside(&polygon, c))
+                        && best.is_none_or(|(widest, _)| clearance > widest)
+                    {
                         best = Some((clearance, bounds));
                     }
                 }
@@ -203,8 +231,7 @@ impl Placer {
             }
             y += pitch;
         }
-        let place = best.map(|(_, bounds)| LabelPlace { bounds, leader: None });
-        self.take(place)
+        self.take(label.text, best.map(|(_, bounds)| LabelPlace { bounds, leader: None }))
     }
 
     /// A spot well inside a polygon and outside all blocked boxes: of a grid of trial spots, the one
@@ -242,7 +269,8 @@ impl Placer {
             .min(self.panel.right - bounds.right)
             .min(bounds.top - self.panel.top)
             .min(self.panel.bottom - bounds.bottom);
-        let curves = self.segments.iter().map(|s| outside(s.0).min(outside(s.1)));
+        let lines = self.segments.iter().chain(&self.leaders);
+        let curves = lines.map(|s| outside(s.0).min(outside(s.1)));
         let boxes = self.blocked.iter().map(|b| {
             let dx = (b.left - bounds.right).max(bounds.left - b.right);
             let dy = (b.top - bounds.bottom).max(bounds.top - b.bottom);
@@ -292,6 +320,10 @@ fn leader(bounds: &Bounds, at: Spot, short: f64) -> (Spot, Spot) {
 mod tests {
     use super::*;
 
+    fn label(text: &str, width: f64, height: f64) -> Wanted<'_> {
+        Wanted { text, width, height }
+    }
+
     const SHEET: Bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
 
     #[test]
@@ -299,8 +331,9 @@ mod tests {
         let curve: Vec<Spot> = (0..=50).map(|i| (10.0 + 1.6 * f64::from(i), 50.0)).collect();
         let mut placer = Placer::new(SHEET);
         placer.keep_off(&curve);
-        let places: Vec<Bounds> =
-            (0..3).map(|_| placer.beside_curve(&curve, 20.0, 8.0).unwrap().bounds).collect();
+        let places: Vec<Bounds> = ["SN", "PD", "GZ"]
+            .map(|text| placer.beside_curve(&curve, label(text, 20.0, 8.0), false).unwrap().bounds)
+            .into();
         for (index, place) in places.iter().enumerate() {
             assert!(!curve.windows(2).any(|s| place.meets(s[0], s[1])));
             assert!(places[..index].iter().all(|other| !other.overlaps(place)));
@@ -313,7 +346,7 @@ mod tests {
         let square = [(20.0, 20.0), (60.0, 20.0), (60.0, 60.0), (20.0, 60.0)];
         let mut placer = Placer::new(SHEET);
         placer.keep_off(&[square[0], square[1], square[2], square[3], square[0]]);
-        let (x, y) = placer.within(&square, 10.0, 6.0).unwrap().bounds.centre();
+        let (x, y) = placer.within(&square, label("p", 10.0, 6.0)).unwrap().bounds.centre();
         // Trial positions are 4/3 apart, and as the box is 10 by 6 the best ones form a short line.
         assert!((x - 40.0).abs() < 2.0 && (y - 40.0).abs() < 4.0, "{x} {y}");
     }
@@ -322,10 +355,10 @@ mod tests {
     fn a_label_too_large_for_its_region_finds_no_place_within_and_gets_a_leader_around() {
         let sliver = [(40.0, 50.0), (60.0, 50.0), (60.0, 52.0), (40.0, 52.0)];
         let mut placer = Placer::new(SHEET);
-        assert_eq!(placer.within(&sliver, 10.0, 6.0), None);
+        assert_eq!(placer.within(&sliver, label("p", 10.0, 6.0)), None);
         // A ring that blocks all nearby positions; a leader may cross it.
         placer.keep_off(&[(42.0, 47.0), (58.0, 47.0), (58.0, 55.0), (42.0, 55.0), (42.0, 47.0)]);
-        let place = placer.around((50.0, 51.0), 1.0, 10.0, 6.0).unwrap();
+        let place = placer.around(&[(50.0, 51.0)], 1.0, label("p", 10.0, 6.0), false).unwrap();
         assert!(place.leader.is_some());
         // The leader stops at the requested clearance.
         assert!((distance(place.leader.unwrap().1, (50.0, 51.0)) - 1.0).abs() < 1e-12);
@@ -343,6 +376,32 @@ mod tests {
     fn without_room_there_is_no_place() {
         let mut placer = Placer::new(SHEET);
         placer.block(SHEET);
-        assert_eq!(placer.around((50.0, 50.0), 1.0, 10.0, 6.0), None);
+        assert_eq!(placer.around(&[(50.0, 50.0)], 1.0, label("p", 10.0, 6.0), false), None);
+    }
+
+    #[test]
+    fn leaders_do_not_cross_and_equal_labels_keep_apart() {
+        let mut placer = Placer::new(SHEET);
+        // Two spots in a corridor so narrow that labels stand outside.
+        placer.keep_off(&[(20.0, 46.0), (80.0, 46.0)]);
+        placer.keep_off(&[(20.0, 54.0), (80.0, 54.0)]);
+        let spots = [(46.0, 50.0), (48.0, 50.0), (50.0, 50.0), (52.0, 50.0)];
+        let places = spots.map(|spot| placer.around(&[spot], 1.0, label("PD", 12.0, 6.0), false).unwrap());
+        for (index, place) in places.iter().enumerate() {
+            for other in &places[..index] {
+                assert!(!cross(place.leader.unwrap(), other.leader.unwrap()), "{places:?}");
+                assert!(!place.bounds.grown(TWINS).overlaps(&other.bounds), "{places:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_label_covers_a_cloud_only_if_it_may() {
+        let curve: Vec<Spot> = (0..=50).map(|i| (10.0 + 1.6 * f64::from(i), 50.0)).collect();
+        let mut placer = Placer::new(SHEET);
+        placer.keep_off(&curve);
+        placer.avoid((0..10_000).map(|i| (f64::from(i % 100), f64::from(i / 100))));
+        assert_eq!(placer.beside_curve(&curve, label("PD", 12.0, 6.0), false), None);
+        assert!(placer.beside_curve(&curve, label("PD", 12.0, 6.0), true).is_some());
     }
 }

@@ -123,6 +123,12 @@ pub fn distance(a: Spot, b: Spot) -> f64 {
     (dx * dx + dy * dy).sqrt()
 }
 
+/// Whether two segments cross.
+pub fn cross((a, b): (Spot, Spot), (from, to): (Spot, Spot)) -> bool {
+    let side = |a: Spot, b: Spot, c: Spot| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
+    side(a, b, from) != side(a, b, to) && side(from, to, a) != side(from, to, b)
+}
+
 /// Whether the spot is inside the closed polygon (even-odd rule).
 pub fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
     let mut within = false;

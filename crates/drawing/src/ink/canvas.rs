@@ -9,7 +9,7 @@ use crate::ink::font::{Extent, Fonts};
 use crate::ink::legend::Sample;
 use crate::ink::markup::Label;
 use crate::ink::sheet::{Element, Path, Sheet};
-use crate::ink::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
+use crate::ink::style::{Colour, LEADER, Paint, Pen, SIZE_LIMIT, hat_pen};
 use crate::ink::svg::{POINTS_PER_MM, fill, hex, hundredths, points, spans, stroke};
 
 /// The point of its baseline by which a text is placed.
@@ -78,6 +78,11 @@ impl Canvas {
     /// omitted.
     pub fn line(&self, spots: &[Spot], pen: Pen) {
         self.attributed_line(spots, stroke(Some(pen)));
+    }
+
+    /// Draws the leader of a label.
+    pub(crate) fn leader(&self, from: Spot, to: Spot) {
+        self.attributed_line(&[from, to], format!(" class=\"leader\"{}", stroke(Some(LEADER))));
     }
 
     /// Draws a line clipped so that no ink leaves a box.

@@ -1,11 +1,11 @@
 //! Labels of one panel: positioned while the figure is built, drawn over everything else at the end.
 
 use crate::error::DrawingError;
-use crate::geometry::placement::{LabelPlace, Placer};
+use crate::geometry::placement::{LabelPlace, Placer, Wanted};
 use crate::geometry::sheet::{Bounds, Spot, along};
 use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::markup::Label;
-use crate::ink::style::{Colour, LEADER};
+use crate::ink::style::Colour;
 
 /// Free space around a label's ink, in points.
 const PADDING: f64 = 1.2;
@@ -14,10 +14,25 @@ const PADDING: f64 = 1.2;
 pub enum Site<'a> {
     /// Beside a curve, near its middle.
     Beside(&'a [Spot]),
+    /// Beside a curve where that covers no cloud of points.
+    Clear(&'a [Spot]),
     /// Around a spot, at least at this clearance.
     Around(Spot, f64),
+    /// Around one of several spots.
+    AroundAny(&'a [Spot], f64),
+    /// Away from a curve, with a leader to it.
+    Led(&'a [Spot]),
     /// Inside a polygon.
     Within(&'a [Spot]),
+}
+
+/// The clearance between a curve and the end of a leader to it, in points.
+const OFF_CURVE: f64 = 1.5;
+
+/// Spots along a curve to which a leader may point, from its middle outwards.
+fn targets(curve: &[Spot]) -> impl Iterator<Item = Spot> {
+    const FRACTIONS: [f64; 7] = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
+    FRACTIONS.into_iter().filter_map(|fraction| along(curve, fraction)).map(|(spot, _)| spot)
 }
 
 /// The labels positioned so far.
@@ -79,31 +94,49 @@ impl<'c> Labels<'c> {
         let further = LEADING * size * lines.len().saturating_sub(1) as f64;
         let height = ascent + further + descent + 2.0 * PADDING;
         let placer = &mut self.placer;
+        let text = sources.join(" ");
         // The width in the embedded font is used if the wider fallback does not fit.
-        let place = widths.map(|width| width + 2.0 * PADDING).into_iter().find_map(|width| match site {
-            Site::Beside(curve) => placer.beside_curve(curve, width, height),
-            Site::Around(spot, clearance) => placer.around(*spot, *clearance, width, height),
-            Site::Within(polygon) => placer.within(polygon, width, height),
-        });
+        let labels =
+            widths.map(|width| Wanted { text: &text, width: width + 2.0 * PADDING, height }).into_iter();
+        let mut beside =
+            |curve, covers| labels.clone().find_map(|label| placer.beside_curve(curve, label, covers));
+        let place = match *site {
+            Site::Clear(curve) => beside(curve, false),
+            Site::Beside(curve) => beside(curve, false).or_else(|| beside(curve, true)),
+            Site::Around(spot, clearance) => {
+                labels.clone().find_map(|label| placer.around(&[spot], clearance, label, false))
+            }
+            Site::AroundAny(spots, clearance) => {
+                labels.clone().find_map(|label| placer.around(spots, clearance, label, false))
+            }
+            Site::Led(curve) => {
+                let spots: Vec<Spot> = targets(curve).collect();
+                labels.clone().find_map(|label| placer.around(&spots, OFF_CURVE, label, true))
+            }
+            Site::Within(polygon) => labels.clone().find_map(|label| placer.within(polygon, label)),
+        };
         if let Some(place) = place {
             self.placed.push(Placed { lines, reach: (ascent, descent), size, colour, place });
         }
         Ok(place.is_some())
     }
 
-    /// Labels a curve beside it or, if there is no room, farther away with a leader to its middle.
+    /// Labels a curve, drawn in pieces of which the first is preferred: beside a piece or, if there is no
+    /// room, farther away with a leader.
     pub fn name_curve(
         &mut self,
         source: &str,
         size: f64,
         colour: Colour,
-        curve: &[Spot],
+        pieces: &[Vec<Spot>],
     ) -> Result<(), DrawingError> {
-        if self.add(source, size, colour, &Site::Beside(curve))? {
-            return Ok(());
-        }
-        if let Some((middle, _)) = along(curve, 0.5) {
-            self.add(source, size, colour, &Site::Around(middle, 1.5))?;
+        let spots: Vec<Spot> = pieces.iter().flat_map(|piece| targets(piece)).collect();
+        let clear = pieces.iter().map(|piece| Site::Clear(piece));
+        let covering = pieces.iter().map(|piece| Site::Beside(piece));
+        for site in clear.chain([Site::AroundAny(&spots, OFF_CURVE)]).chain(covering) {
+            if self.add(source, size, colour, &site)? {
+                break;
+            }
         }
         Ok(())
     }
@@ -112,7 +145,7 @@ impl<'c> Labels<'c> {
     pub fn draw(self) -> Result<(), DrawingError> {
         for Placed { lines, reach: (ascent, descent), size, colour, place } in &self.placed {
             if let Some((from, to)) = place.leader {
-                self.canvas.line(&[from, to], LEADER);
+                self.canvas.leader(from, to);
             }
             let (x, y) = place.bounds.centre();
             let middle = y + 0.5 * (ascent - descent);

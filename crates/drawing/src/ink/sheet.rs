@@ -5,6 +5,8 @@ use std::fmt::Write;
 use grazing_results::Frame;
 
 use crate::geometry::sheet::{Bounds, Hundredths};
+#[cfg(test)]
+use crate::geometry::sheet::{Spot, cross};
 use crate::ink::font::style_sheet;
 use crate::ink::markup::unmarked;
 use crate::ink::svg::{POINTS_PER_MM, escape, hundredths, path_data, points};
@@ -140,7 +142,21 @@ impl Sheet {
         self.texts.iter().map(|(source, _)| source.clone()).collect()
     }
 
-    /// Panics with the labels that overlap another one or leave the sheet, if there are any.
+    /// The leaders of labels, each from its label to what is named.
+    #[cfg(test)]
+    pub(crate) fn leaders(&self) -> Vec<(Spot, Spot)> {
+        let in_points = |(x, y): Hundredths| (f64::from(x) / 100.0, f64::from(y) / 100.0);
+        let ends = |element: &Element| match element {
+            Element::Path(Path { pieces, attributes }) if attributes.contains("class=\"leader\"") => {
+                Some((in_points(*pieces[0].0.first()?), in_points(*pieces[0].0.last()?)))
+            }
+            _ => None,
+        };
+        self.elements.iter().filter_map(ends).collect()
+    }
+
+    /// Panics with the labels that overlap another one or leave the sheet, and with the leaders that cross
+    /// each other or a label, if there are any.
     #[cfg(test)]
     pub(crate) fn assert_well_placed(&self, what: &dyn std::fmt::Debug) {
         let (texts, (right, bottom)) = (&self.texts, self.size);
@@ -151,6 +167,13 @@ impl Sheet {
         };
         let misplaced: Vec<_> = (0..texts.len()).filter(|&i| spoilt(i)).map(|i| &texts[i]).collect();
         assert!(misplaced.is_empty(), "{what:?}: {misplaced:?}");
+        let leaders = self.leaders();
+        for (index, &(from, to)) in leaders.iter().enumerate() {
+            let crossed = leaders[..index].iter().find(|other| cross(**other, (from, to)));
+            assert!(crossed.is_none(), "{what:?}: {crossed:?}");
+            let covered = texts.iter().find(|(_, taken)| taken.meets(from, to));
+            assert!(covered.is_none(), "{what:?}: {covered:?}");
+        }
     }
 }
 

@@ -121,8 +121,10 @@ pub(crate) const OWN_TEXT: Colour = [112, 62, 160];
 
 /// The pen of rectangles that another figure magnifies.
 pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
+/// The pen of rectangles around areas that are too small to be drawn.
+pub(crate) const AROUND_MAGNIFIED: Pen = Pen::dashed(ORANGE, 1.0, &[1.0, 1.0]);
 /// The colour of labels of those rectangles: darker than the rectangle, for legibility.
-pub(crate) const MAGNIFIED_TEXT: Colour = [176, 84, 0];
+pub const MAGNIFIED_TEXT: Colour = [176, 84, 0];
 /// The pen of the line in the two-parameter diagram along which the one-parameter diagram runs.
 pub(crate) const SECTION: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 pub(crate) const THIN_SECTION: Pen = Pen::dashed(BLACK, 0.5, &[4.0, 1.6]);
@@ -172,7 +174,9 @@ pub(crate) const SWEEP_SIZE: f64 = 1.6;
 
 pub(crate) const PERIODIC_ORBIT: Pen = Pen::solid(BLACK, 0.9);
 pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid([70, 95, 130], 0.25);
-pub(crate) const IMPACT: Pen = Pen::dashed(BLACK, 0.55, &[1.6, 1.2]);
+/// The pen of impacts in phase portraits, and of the gap in the wall's line behind its dashes.
+pub(crate) const IMPACT: Pen = Pen::dashed(BLACK, 1.1, &[1.8, 1.5]);
+pub(crate) const WALL_GAP: Pen = Pen::solid(WHITE, 1.1);
 /// The pen of the wall.
 pub const WALL: Pen = Pen::solid(BLACK, 0.9);
 /// The paint of the area behind the wall.

@@ -98,6 +98,15 @@ impl<'c> Panel<'c> {
         (f64::from(x) / 100.0, f64::from(y) / 100.0)
     }
 
+    /// The data point at a position on the sheet.
+    pub(crate) fn at(&self, (right, down): Spot) -> (f64, f64) {
+        let Frame { x: [first, last], y: [low, high] } = self.frame;
+        let Bounds { left, top, right: end, bottom } = self.bounds;
+        let value = |share: f64, from: f64, to: f64| from + share * (to - from);
+        let (across, up) = ((right - left) / (end - left), (bottom - down) / (bottom - top));
+        (value(across, first, last), value(up, low, high))
+    }
+
     fn spots(&self, points: &[(f64, f64)]) -> Vec<Spot> {
         points.iter().map(|&point| self.spot(point)).collect()
     }

@@ -19,6 +19,9 @@ use crate::plot::axes::Panel;
 use crate::plot::cloud::{LONG_TIME, draw_cloud};
 use crate::plot::kinds::{label, pen, text_colour};
 
+/// The number of dots of which one is named.
+const NAMED_DOTS: usize = 40;
+
 /// Draws branches, attractor and bifurcations of one panel, with their labels. Consecutive points with
 /// equal p and branch are a strand: one loop of a solution as the parameter changes.
 pub(crate) fn diagram(
@@ -42,8 +45,8 @@ pub(crate) fn diagram(
             panel.canvas.explain(&format!("sweep {}", sweep.name()), Sample::Line(pen));
         }
     }
-    let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
-    let mut pieces = Vec::new();
+    // The pieces of each p.
+    let mut pieces: Vec<(u32, Vec<Vec<Spot>>)> = Vec::new();
     let strands = figure.branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch));
     let mut strands: Vec<_> = strands.collect();
     // Where branches coincide, the one with the least p is visible: others have more strands.
@@ -52,16 +55,17 @@ pub(crate) fn diagram(
         let p = strand[0].loops;
         for piece in strand_pieces(panel, figure, strand) {
             labels.placer.keep_off(&piece);
-            pieces.push(piece.clone());
-            match longest.iter_mut().find(|(known, _)| *known == p) {
-                Some((_, best)) if length(best) >= length(&piece) => {}
-                Some((_, best)) => *best = piece,
-                None => longest.push((p, piece)),
+            match pieces.iter_mut().find(|(known, _)| *known == p) {
+                Some((_, known)) => known.push(piece),
+                None => pieces.push((p, vec![piece])),
             }
         }
     }
-    longest.reverse();
-    for (p, _) in longest.iter().filter(|(p, _)| *p > 0) {
+    pieces.reverse();
+    for (_, own) in &mut pieces {
+        own.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    }
+    for (p, _) in pieces.iter().filter(|(p, _)| *p > 0) {
         panel.canvas.explain(&format!("$p={p}$"), Sample::Line(branch_pen(*p, STABLE_WIDTH)));
     }
     let dots: Vec<Spot> =
@@ -89,22 +93,22 @@ pub(crate) fn diagram(
         let wanted = Site::Around(panel.spot(point), POINT_RADIUS + 0.5);
         labels.add(label(kind, &grazing), LABEL_SIZE, text_colour(kind), &wanted)?;
     }
-    for (p, piece) in &longest {
+    for (p, own) in &pieces {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
         let colour = branch_pen(*p, 1.0).colour;
         if every_loop || *p > 0 {
-            labels.name_curve(&text, SMALL_LABEL_SIZE, colour, piece)?;
+            labels.name_curve(&text, SMALL_LABEL_SIZE, colour, own)?;
         } else {
-            labels.add(&text, SMALL_LABEL_SIZE, colour, &Site::Beside(piece))?;
+            labels.add(&text, SMALL_LABEL_SIZE, colour, &Site::Beside(&own[0]))?;
         }
     }
-    // Dots that lie beside the branches cannot be mistaken for them; a few hundred dots suffice to find
-    // one.
-    let mut some = dots.iter().step_by(1 + dots.len() / 300).rev();
-    let beside = some.find(|&&dot| pieces.iter().all(|piece| !near(piece, dot, 6.0)));
-    if let (true, Some(&dot)) = (every_loop, beside.or(dots.last())) {
-        let wanted = Site::Around(dot, 2.0);
-        labels.add(LONG_TIME, SMALL_LABEL_SIZE, CLOUD[2].colour, &wanted)?;
+    if every_loop {
+        let some: Vec<Spot> = dots.iter().copied().step_by(1 + dots.len() / NAMED_DOTS).rev().collect();
+        // Dots that lie beside the branches cannot be mistaken for them.
+        let apart = |dot: &Spot| pieces.iter().flat_map(|(_, own)| own).all(|piece| !near(piece, *dot, 6.0));
+        let beside: Vec<Spot> = some.iter().copied().filter(apart).collect();
+        let named = if beside.is_empty() { &some } else { &beside };
+        labels.add(LONG_TIME, SMALL_LABEL_SIZE, CLOUD[2].colour, &Site::AroundAny(named, 2.0))?;
     }
     labels.draw()
 }

@@ -6,15 +6,12 @@ use crate::error::DrawingError;
 use crate::geometry::sheet::Bounds;
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
-use crate::ink::style::{MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
+use crate::ink::style::{AROUND_MAGNIFIED, MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 use crate::plot::axes::Panel;
 
-/// Rectangles smaller than this (points) are not drawn, because they would hide the triangle inside; the
-/// triangle gets the letter.
-const HIDDEN: f64 = TRIANGLE_SIZE;
-/// Rectangles lower or narrower than this are not drawn, because they would be bars across their
-/// contents.
-const BAR: f64 = 3.0 * MAGNIFIED.width;
+/// The least width and height of a drawn rectangle, in points, so that it surrounds the triangle inside;
+/// around a smaller one a dotted rectangle of this size is drawn.
+const LEAST: f64 = TRIANGLE_SIZE + 3.0;
 
 /// The distance from a resonance to its label, in points: the triangle and its rim, along the diagonal.
 pub(crate) const OFF_TRIANGLE: f64 = 5.4;
@@ -30,24 +27,33 @@ pub(crate) fn panel_letter(number: u32) -> String {
     format!("({letters})")
 }
 
-fn is_hidden(outline: &Bounds) -> bool {
-    let [wide, high] = [outline.right - outline.left, outline.bottom - outline.top];
-    wide.max(high) < HIDDEN || wide.min(high) < BAR
-}
-
-/// Draws a rectangle unless it is too small; returns its visible outline, if any.
+/// Draws a rectangle, or a dotted one around it if it is too small; returns the visible outline, if any.
 pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_>) -> Option<Bounds> {
     let [[left, right], [low, high]] = [frame.x, frame.y];
     let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
-    let whole = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
-    if !is_hidden(&whole) {
-        for piece in panel.line(&frame.outline(), MAGNIFIED) {
-            panel.canvas.explain("area of a magnification", Sample::Rectangle(MAGNIFIED));
-            labels.placer.keep_off(&piece);
-        }
+    let own = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
+    let seen = own.common(panel.bounds);
+    if seen.left > seen.right || seen.top > seen.bottom {
+        return None;
     }
-    let seen = whole.common(panel.bounds);
-    (seen.left <= seen.right && seen.top <= seen.bottom).then_some(seen)
+    let [wide, high] = [b.0 - a.0, b.1 - a.1].map(|side| side.max(LEAST));
+    let whole = Bounds::about(own.centre(), wide, high);
+    let (meaning, pen, outline) = if wide > b.0 - a.0 || high > b.1 - a.1 {
+        let values = [(whole.left, whole.bottom), (whole.right, whole.top)].map(|corner| panel.at(corner));
+        let [(left, low), (right, high)] = values;
+        (
+            "place of a magnification whose area is too small to be drawn",
+            AROUND_MAGNIFIED,
+            Frame { x: [left, right], y: [low, high] },
+        )
+    } else {
+        ("area of a magnification", MAGNIFIED, *frame)
+    };
+    for piece in panel.line(&outline.outline(), pen) {
+        panel.canvas.explain(meaning, Sample::Rectangle(pen));
+        labels.placer.keep_off(&piece);
+    }
+    Some(whole.common(panel.bounds))
 }
 
 /// Labels a rectangle: around its middle or, for a small one among many curves, at the first corner with
@@ -55,10 +61,9 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
 pub(crate) fn letter(labels: &mut Labels<'_>, number: u32, outline: &Bounds) -> Result<(), DrawingError> {
     let Bounds { left, top, right, bottom } = *outline;
     let reach = 0.5 * (right - left).min(bottom - top);
-    let clearance = if is_hidden(outline) { OFF_TRIANGLE } else { reach + 1.0 };
     let corners = [(left, bottom), (left, top), (right, top), (right, bottom)].map(|corner| (corner, 1.0));
     let letter = panel_letter(number);
-    for (spot, clearance) in [(outline.centre(), clearance)].into_iter().chain(corners) {
+    for (spot, clearance) in [(outline.centre(), reach + 1.0)].into_iter().chain(corners) {
         if labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Site::Around(spot, clearance))? {
             break;
         }

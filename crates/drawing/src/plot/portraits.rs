@@ -7,10 +7,11 @@ use crate::error::DrawingError;
 use crate::geometry::clip::{checked, clip_polyline};
 use crate::geometry::sheet::{Bounds, Spot};
 use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::font::Fonts;
 use crate::ink::markup::Label;
 use crate::ink::style::{
-    ATTRACTOR_ORBIT, BLACK, GUIDE, IMPACT, PERIODIC_ORBIT, SMALL_LABEL_SIZE, TICK_SIZE, WALL, WALL_FACE,
-    WALL_HATCHING, branch_pen,
+    ATTRACTOR_ORBIT, BLACK, Colour, GUIDE, IMPACT, PERIODIC_ORBIT, Pen, SMALL_LABEL_SIZE, TICK_SIZE, WALL,
+    WALL_FACE, WALL_GAP, WALL_HATCHING, branch_pen,
 };
 use crate::plot::axes::{Panel, room_beside};
 use crate::plot::magnified::panel_letter;
@@ -29,7 +30,12 @@ const ROW: f64 = 104.0;
 const ABOVE: f64 = 17.0;
 const BELOW: f64 = 28.0;
 const LEFT: f64 = 38.0;
+const RIGHT: f64 = 6.0;
 const GAP: f64 = 13.0;
+
+/// The distance between the lines of a heading, in points, and the least size of its text.
+const LEADING: f64 = 9.5;
+const LEAST_SIZE: f64 = 6.0;
 
 /// The texts of phase portraits.
 pub(crate) struct Caption<'a> {
@@ -41,59 +47,148 @@ pub(crate) struct Caption<'a> {
     pub(crate) table: &'a [&'static str],
 }
 
-/// All portraits of a diagram.
-pub(crate) fn portraits(figure: &OneParameter) -> Vec<Portrait<'_>> {
-    figure.portraits.chunk_by(|a, b| a.portrait == b.portrait).collect()
+/// All portraits of a diagram in rows, at the same scale.
+pub(crate) struct Portraits<'a> {
+    figure: &'a OneParameter,
+    pub(crate) shown: Vec<Portrait<'a>>,
+    caption: Caption<'a>,
+    columns: usize,
+    frame: Frame,
+    /// The left edge of the first portrait of a row, and the width of each with its wall, in points.
+    left: f64,
+    width: f64,
+    /// The lines of each heading, and their size.
+    headings: Vec<Vec<String>>,
+    size: f64,
 }
 
-/// The height of each of `rows` rows, in points.
-pub(crate) fn row_height(rows: usize) -> f64 {
-    if rows == 1 { SINGLE_ROW } else { ROW }
-}
-
-/// Draws the portraits in rows, all at the same scale.
-pub(crate) fn draw_portraits(
-    canvas: &Canvas,
-    figure: &OneParameter,
-    portraits: &[Portrait<'_>],
-    caption: &Caption<'_>,
-    rows: usize,
-) -> Result<(), DrawingError> {
-    let height = row_height(rows);
-    let frame = checked(common_frame(portraits), "the phase portraits")?;
-    let columns = portraits.len().div_ceil(rows.max(1)).max(1);
-    let count = columns as f64;
-    let first = room_beside(&canvas.fonts, frame.y, height - ABOVE - BELOW, caption.titles[1])?.max(LEFT);
-    let width = (canvas.width - first - 6.0 - GAP * (count - 1.0)) / count;
-    for (place, portrait) in portraits.iter().enumerate() {
-        let PortraitPoint { portrait: number, loops, kind, .. } = portrait[0];
-        let orbit: Vec<_> = portrait.iter().map(|point| (point.x, point.y)).collect();
-        let (column, row) = (place % columns, place / columns);
-        let left = first + (width + GAP) * column as f64;
-        let top = height * row as f64 + ABOVE;
-        let bottom = height * (row + 1) as f64 - BELOW;
-        let bounds = Bounds { left, top, right: left + width - WALL_THICKNESS, bottom };
-        let panel = Panel {
-            tables: caption.table,
-            only: Some(("portrait", number)),
-            numbers_beside: column == 0,
-            ..Panel::new(canvas, frame, bounds)
+impl<'a> Portraits<'a> {
+    /// The portraits of a diagram, `in_a_row` side by side on a sheet of this width in points.
+    pub(crate) fn new(
+        fonts: &Fonts,
+        figure: &'a OneParameter,
+        caption: Caption<'a>,
+        in_a_row: usize,
+        sheet: f64,
+    ) -> Result<Self, DrawingError> {
+        let shown: Vec<_> = figure.portraits.chunk_by(|a, b| a.portrait == b.portrait).collect();
+        let columns = shown.len().div_ceil(shown.len().div_ceil(in_a_row).max(1)).max(1);
+        let frame = common_frame(&shown);
+        let mut portraits = Portraits {
+            figure,
+            shown,
+            caption,
+            columns,
+            frame,
+            left: 0.0,
+            width: 0.0,
+            headings: Vec::new(),
+            size: TICK_SIZE,
         };
-        wall(&panel);
-        let (pen, what) = match (kind, loops) {
-            (PortraitKind::Attractor, _) => (ATTRACTOR_ORBIT, "attractor".to_owned()),
-            (PortraitKind::Periodic, 0) => (branch_pen(0, PERIODIC_ORBIT.width), "no impacts".to_owned()),
-            (PortraitKind::Periodic, p) => (branch_pen(p, PERIODIC_ORBIT.width), format!("$p={p}$")),
-        };
-        panel.line(&without_jumps(&orbit, at_wall(frame)), pen);
-        let [x, y] = caption.titles;
-        panel.axes(x, if column == 0 { y } else { "" })?;
-        jump(&panel, &orbit);
-        let at = equation(caption.across, &significant(figure.across(&portrait[0]), 4));
-        let heading = format!("{} {at}, {what}", panel_letter(number));
-        canvas.text((left, top - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
+        if portraits.shown.is_empty() {
+            return Ok(portraits);
+        }
+        checked(frame, "the phase portraits")?;
+        let height = portraits.bare_row_height() - ABOVE - BELOW;
+        portraits.left = room_beside(fonts, frame.y, height, portraits.caption.titles[1])?.max(LEFT);
+        let gaps = GAP * (columns as f64 - 1.0);
+        portraits.width = (sheet - portraits.left - RIGHT - gaps) / columns as f64;
+        portraits.set_headings(fonts)?;
+        Ok(portraits)
     }
-    Ok(())
+
+    /// Breaks headings into as few lines as fit over a portrait, the same number for all, and sets them
+    /// smaller if a line still does not fit.
+    fn set_headings(&mut self, fonts: &Fonts) -> Result<(), DrawingError> {
+        for lines in 1..=3 {
+            self.headings = self.shown.iter().map(|portrait| self.heading(portrait, lines)).collect();
+            self.size = TICK_SIZE;
+            for (place, heading) in self.headings.iter().enumerate() {
+                let last = (place + 1).is_multiple_of(self.columns);
+                let room = self.width + if last { RIGHT } else { GAP } - 1.0;
+                for line in heading {
+                    let width = fonts.measure(&Label::parse(line)?, TICK_SIZE)?.room();
+                    self.size = self.size.min(TICK_SIZE * room / width);
+                }
+            }
+            if self.size == TICK_SIZE {
+                break;
+            }
+        }
+        self.size = self.size.max(LEAST_SIZE);
+        Ok(())
+    }
+
+    /// The heading of a portrait in so many lines: its letter, the parameter's value, and what it shows.
+    fn heading(&self, portrait: Portrait<'_>, lines: usize) -> Vec<String> {
+        let what = match (portrait[0].kind, portrait[0].loops) {
+            (PortraitKind::Attractor, _) => "attractor".to_owned(),
+            (PortraitKind::Periodic, 0) => "no impacts".to_owned(),
+            (PortraitKind::Periodic, p) => format!("$p={p}$"),
+        };
+        let (letter, value) =
+            (panel_letter(portrait[0].portrait), significant(self.figure.across(&portrait[0]), 4));
+        let (across, at) = (self.caption.across, equation(self.caption.across, &value));
+        match lines {
+            1 => vec![format!("{letter} {at}, {what}")],
+            2 => vec![format!("{letter} {at},"), what],
+            _ => vec![format!("{letter} {across}"), format!("= {value},"), what],
+        }
+    }
+
+    fn rows(&self) -> usize {
+        self.shown.len().div_ceil(self.columns)
+    }
+
+    /// The height of a row with headings of one line.
+    fn bare_row_height(&self) -> f64 {
+        if self.rows() == 1 { SINGLE_ROW } else { ROW }
+    }
+
+    /// The room that headings take beyond one line.
+    fn further(&self) -> f64 {
+        self.headings.first().map_or(0.0, |lines| LEADING * (lines.len() as f64 - 1.0))
+    }
+
+    /// The height of all rows, in points.
+    pub(crate) fn height(&self) -> f64 {
+        self.rows() as f64 * (self.bare_row_height() + self.further())
+    }
+
+    /// Draws the portraits.
+    pub(crate) fn draw(&self, canvas: &Canvas) -> Result<(), DrawingError> {
+        let Self { caption, frame, .. } = self;
+        let pitch = self.bare_row_height() + self.further();
+        for (place, (portrait, heading)) in self.shown.iter().zip(&self.headings).enumerate() {
+            let PortraitPoint { portrait: number, loops, kind, .. } = portrait[0];
+            let orbit: Vec<_> = portrait.iter().map(|point| (point.x, point.y)).collect();
+            let (column, row) = (place % self.columns, place / self.columns);
+            let left = self.left + (self.width + GAP) * column as f64;
+            let top = pitch * row as f64 + self.further() + ABOVE;
+            let bottom = pitch * (row + 1) as f64 - BELOW;
+            let bounds = Bounds { left, top, right: left + self.width - WALL_THICKNESS, bottom };
+            let panel = Panel {
+                tables: caption.table,
+                only: Some(("portrait", number)),
+                numbers_beside: column == 0,
+                ..Panel::new(canvas, *frame, bounds)
+            };
+            wall(&panel);
+            let pen = match kind {
+                PortraitKind::Attractor => ATTRACTOR_ORBIT,
+                PortraitKind::Periodic => branch_pen(loops, PERIODIC_ORBIT.width),
+            };
+            panel.line(&without_jumps(&orbit, at_wall(*frame)), pen);
+            let [x, y] = caption.titles;
+            panel.axes(x, if column == 0 { y } else { "" })?;
+            jump(&panel, &orbit, pen.colour);
+            for (above, line) in heading.iter().rev().enumerate() {
+                let baseline = top - 5.0 - LEADING * above as f64;
+                canvas.text((left, baseline), line, self.size, Anchor::Start, BLACK)?;
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The extent of all orbits, ending at the wall and symmetric in y, with some room.
@@ -171,8 +266,8 @@ fn without_jumps(orbit: &[(f64, f64)], at_wall: f64) -> Vec<(f64, f64)> {
     broken
 }
 
-/// Draws the impacts as one dashed line up the wall, from the fastest impact to the fastest recoil.
-fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) {
+/// Draws the impacts as one dashed line in the wall's, from the fastest impact to the fastest recoil.
+fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)], colour: Colour) {
     let finite: Vec<(f64, f64)> =
         orbit.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     // A periodic orbit may be given from recoil to impact, so that the jump closes it.
@@ -182,9 +277,9 @@ fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) {
     let arrival = jumps.iter().map(|(from, _)| from.1).fold(0.0, f64::max);
     let recoil = jumps.iter().map(|(_, to)| to.1).fold(0.0, f64::min);
     if arrival > recoil {
-        let [from, to] = [panel.spot((0.0, arrival)), panel.spot((0.0, recoil))];
-        let path = [(from.0 - 1.3, from.1), (to.0 - 1.3, to.1)];
-        panel.canvas.line(&path, IMPACT);
+        let path = [panel.spot((0.0, arrival)), panel.spot((0.0, recoil))];
+        panel.canvas.line(&path, WALL_GAP);
+        panel.canvas.line(&path, Pen { colour, ..IMPACT });
     }
 }
 
@@ -225,11 +320,15 @@ mod tests {
         let bounds = Bounds { left: 10.0, top: 10.0, right: 90.0, bottom: 90.0 };
         let drawn = |orbit: &[(f64, f64)]| {
             let canvas = Canvas::new(40.0, 40.0).unwrap();
-            jump(&Panel::new(&canvas, frame, bounds), orbit);
-            canvas.finish("test", "", "").unwrap().svg().matches("stroke-dasharray").count()
+            jump(&Panel::new(&canvas, frame, bounds), orbit, BLACK);
+            let svg = canvas.finish("test", "", "").unwrap().svg();
+            let dashed = svg.lines().filter(|line| line.contains("stroke-dasharray"));
+            dashed.map(|line| line.split('"').nth(1).unwrap().to_owned()).collect::<Vec<_>>()
         };
-        assert_eq!(drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]), 1);
-        assert_eq!(drawn(&[(0.0, 0.0), (-0.9, -0.5), (-0.9, 0.5), (0.0, 0.0)]), 0);
+        let dashed = drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]);
+        // The wall, x = 0, is at the right edge; y from -0.5 to 0.6 spans 44 of 80 points.
+        assert_eq!(dashed, ["M90,26L90,70"]);
+        assert!(drawn(&[(0.0, 0.0), (-0.9, -0.5), (-0.9, 0.5), (0.0, 0.0)]).is_empty());
     }
 
     #[test]

@@ -104,8 +104,10 @@ pub enum NamedPart {
     Curves(CurveKind),
     /// The first surface of a kind, with its name on it.
     Face(SurfaceKind),
-    /// The first line of a kind on a surface.
+    /// The first line of a kind.
     Line(SurfaceKind),
+    /// The first line of a kind that lies on named surfaces: a leader leads to it.
+    Border(SurfaceKind),
 }
 
 impl SpaceSheet {
@@ -127,7 +129,7 @@ impl SpaceSheet {
             match *named {
                 NamedPart::Curves(kind) => {
                     for index in shown.longest(|piece| piece.kind == kind) {
-                        labels.name_curve(text, size, colour, &shown.curves[index].spots())?;
+                        labels.name_curve(text, size, colour, &[shown.curves[index].spots()])?;
                     }
                 }
                 NamedPart::Face(kind) => {
@@ -137,7 +139,12 @@ impl SpaceSheet {
                 }
                 NamedPart::Line(kind) => {
                     if let Some(line) = first(kind) {
-                        labels.name_curve(text, size, colour, &line)?;
+                        labels.name_curve(text, size, colour, &[line])?;
+                    }
+                }
+                NamedPart::Border(kind) => {
+                    if let Some(line) = first(kind) {
+                        labels.add(text, size, colour, &Site::Led(&line))?;
                     }
                 }
             }

@@ -132,7 +132,7 @@ const SHEET: SpaceSheet = SpaceSheet {
         (NamedPart::Face(SurfaceKind::Incoming), "incoming set", SMALL_LABEL_SIZE, BLACK),
         (NamedPart::Face(SurfaceKind::Incoming), r"$\Sigma$", TITLE_SIZE, BLACK),
         (NamedPart::Face(SurfaceKind::Outgoing), "outgoing set", SMALL_LABEL_SIZE, BLACK),
-        (NamedPart::Line(SurfaceKind::Tangency), "tangency set", SMALL_LABEL_SIZE, BLACK),
+        (NamedPart::Border(SurfaceKind::Tangency), "tangency set", SMALL_LABEL_SIZE, BLACK),
     ],
 };
 

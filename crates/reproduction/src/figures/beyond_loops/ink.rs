@@ -33,8 +33,10 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     }
     let mut labels = [Labels::new(&canvas, widths.bounds), Labels::new(&canvas, places.bounds)];
 
-    let mut lines = Vec::new();
-    widths.line(&[(0.0, WIDTHS.y[0]), (0.0, WIDTHS.y[1])], THRESHOLD);
+    let (mut lines, mut areas) = (Vec::new(), Vec::new());
+    for line in widths.line(&[(0.0, WIDTHS.y[0]), (0.0, WIDTHS.y[1])], THRESHOLD) {
+        labels[0].placer.keep_off_nameless(&line);
+    }
     for rows in figure.intervals.chunk_by(|a, b| a.loops == b.loops && (a.sigma < 0.0) == (b.sigma < 0.0)) {
         let (loops, pen) = (rows[0].loops, branch_pen(rows[0].loops, 1.1));
         let name = format!("${loops}$");
@@ -52,22 +54,28 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
             let to: Vec<_> = rows.iter().map(|row| (row.sigma, up(row.to))).collect();
             let outline: Vec<_> = from.iter().chain(to.iter().rev()).copied().collect();
             let area = places.fill(&outline, Paint { colour: pen.colour, opacity: 0.25 });
-            places.line(&from, pen);
-            places.line(&to, branch_pen(loops, 0.6));
-            if !area.is_empty() {
-                labels[1].add(&name, LABEL_SIZE, pen.colour, &Site::Within(&area))?;
+            for line in [places.line(&from, pen), places.line(&to, branch_pen(loops, 0.6))].concat() {
+                labels[1].placer.keep_off(&line);
             }
+            if !area.is_empty() {
+                areas.push((area, name, pen.colour));
+            }
+        }
+    }
+    for row in &figure.measured {
+        let [from, to] = [row.m_from, row.m_to];
+        let width = widths.marker((row.sigma, libm::log10(to - from)), Marker::Disc);
+        width.into_iter().for_each(|taken| labels[0].placer.block(taken));
+        for place in [from, to].into_iter().filter(|_| row.sigma > 0.0) {
+            let taken = places.marker((row.sigma, libm::log10(place)), Marker::Disc);
+            taken.into_iter().for_each(|taken| labels[1].placer.block(taken));
         }
     }
     for (line, name, colour) in &lines {
         labels[0].add(name, LABEL_SIZE, *colour, &Site::Beside(line))?;
     }
-    for row in &figure.measured {
-        let [from, to] = [row.m_from, row.m_to];
-        widths.marker((row.sigma, libm::log10(to - from)), Marker::Disc);
-        for place in [from, to].into_iter().filter(|_| row.sigma > 0.0) {
-            places.marker((row.sigma, libm::log10(place)), Marker::Disc);
-        }
+    for (area, name, colour) in &areas {
+        labels[1].add(name, LABEL_SIZE, *colour, &Site::Within(area))?;
     }
     canvas.explain("stable $k$-loop MPSs", Sample::Line(branch_pen(2, 1.1)));
     widths.axes(r"$\sigma$", r"$\mathrm{log}_{10}$ of the width in $M$")?;

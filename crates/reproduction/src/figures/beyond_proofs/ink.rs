@@ -4,8 +4,10 @@ use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::labels::{Labels, Site};
 use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::markup::Label;
 use grazing_drawing::ink::style::{
-    BLACK, GREY, LABEL_SIZE, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, branch_pen,
+    BLACK, DISC_RADIUS, GREY, LABEL_SIZE, MAGNIFIED_TEXT, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE,
+    branch_pen,
 };
 use grazing_drawing::plot::axes::{Marker, Panel};
 use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, shade};
@@ -38,6 +40,8 @@ const TUBE: Paint = Paint { colour: GREEN, opacity: 0.4 };
 const SIDE: Pen = Pen::solid(GREEN, 0.6);
 const BOX: Pen = Pen::solid(BLACK, 0.8);
 const GOAL: Pen = Pen::dashed(GREY, 0.5, &[3.0, 2.0]);
+/// The letters of the magnifications.
+const MAGNIFIED: [&str; 3] = ["(c)", "(d)", "(e)"];
 /// The least area of a region with a label, in square points.
 const NAMED: f64 = 60.0;
 /// The least length of a grazing curve with a label, in points.
@@ -55,18 +59,22 @@ pub(super) fn draw(figure: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingE
     let widths = Frame { x: WIDTHS, y: figure.frame.y };
     let mut widths = Panel::new(&canvas, widths, upper(parting + GAP, right));
     widths.numbers_beside = false;
-    widths.line(&[(-6.0, figure.frame.y[0]), (-6.0, figure.frame.y[1])], GOAL);
-    let mut labels = Labels::new(&canvas, widths.bounds);
+    let (mut labels, mut named) = (Labels::new(&canvas, widths.bounds), Vec::new());
+    for piece in widths.line(&[(-6.0, figure.frame.y[0]), (-6.0, figure.frame.y[1])], GOAL) {
+        labels.placer.keep_off_nameless(&piece);
+    }
     for run in figure.ends.chunk_by(|a, b| a.arc == b.arc).filter(|run| run[0].loops > 0) {
         let pen = branch_pen(run[0].loops, 0.9);
         let seen: Vec<_> = run.iter().filter(|ends| ends.log_width.is_finite()).collect();
         let places: Vec<_> = seen.iter().map(|ends| (ends.log_width, ends.omega)).collect();
         for piece in widths.line(&places, pen) {
             labels.placer.keep_off(&piece);
-            let name = format!("${}$", run[0].loops);
-            labels.add(&name, SMALL_LABEL_SIZE, pen.colour, &Site::Beside(&piece))?;
+            named.push((run[0].loops, pen.colour, piece));
         }
         canvas.explain(&format!("width of the tube, p = {}", run[0].loops), Sample::Line(pen));
+    }
+    for (loops, colour, piece) in &named {
+        labels.add(&format!("${loops}$"), SMALL_LABEL_SIZE, *colour, &Site::Beside(piece))?;
     }
     labels.draw()?;
     widths.axes(r"$\mathrm{log}_{10}$ of width in $\mathcal{A}$", "")?;
@@ -122,12 +130,6 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
         traces.push(trace(Bifurcation::Grazing, tube.map(|ends| (ends.upper, ends.omega)).collect()));
     }
     let drawn = draw_curves(panel, &mut labels, traces);
-    for (loops, seen) in names {
-        let shoelace = seen.iter().zip(seen.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - a.1 * b.0);
-        if (0.5 * shoelace.sum::<f64>()).abs() > NAMED {
-            labels.add(&format!("${loops}$"), SMALL_LABEL_SIZE, BLACK, &Site::Within(&seen))?;
-        }
-    }
     for item in figure.items.iter().filter(|item| item.object == "point") {
         let (marker, sample, what) = if item.kind == "resonance" {
             (Marker::Triangle, Sample::Triangle, "resonance")
@@ -135,8 +137,20 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
             (Marker::Disc, Sample::Disc, "other codimension-two point")
         };
         let omega = 0.5 * (item.from + item.to);
-        if panel.marker((item.amplitude, omega), marker).is_some() {
+        if let Some(taken) = panel.marker((item.amplitude, omega), marker) {
             panel.canvas.explain(&format!("proved: {what}"), sample);
+            labels.placer.block(taken.grown(0.5));
+        }
+    }
+    // The letter of a magnification stands at its point.
+    for (rows, letter) in figure.magnified.chunk_by(|a, b| a.panel == b.panel).zip(MAGNIFIED) {
+        let at = panel.spot((rows[0].primary, rows[0].secondary));
+        labels.add(letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Site::Around(at, DISC_RADIUS + 1.5))?;
+    }
+    for (loops, seen) in names {
+        let shoelace = seen.iter().zip(seen.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - a.1 * b.0);
+        if (0.5 * shoelace.sum::<f64>()).abs() > NAMED {
+            labels.add(&format!("${loops}$"), SMALL_LABEL_SIZE, BLACK, &Site::Within(&seen))?;
         }
     }
     labels.name_curves(drawn, NAMED_LENGTH, "grazing")?;
@@ -182,8 +196,10 @@ fn draw_magnified(
     let [left, right] = [boxed[0].lower, boxed[0].upper];
     panel.line(&[(left, low), (right, low), (right, high), (left, high), (left, low)], BOX);
     canvas.explain("box in which exactly one point lies", Sample::Rectangle(BOX));
-    let name = ["(c)", "(d)", "(e)"][place];
-    let above = (bounds.left, bounds.top - 5.0);
-    canvas.text(above, &format!("{name} {kind}, $p={loops}$"), SMALL_LABEL_SIZE, Anchor::Start, BLACK)?;
+    let name = MAGNIFIED[place];
+    let heading = format!("{name} {kind}, $p={loops}$");
+    let wide = canvas.fonts.measure(&Label::parse(&heading)?, SMALL_LABEL_SIZE)?.width;
+    let above = (bounds.left.min(canvas.width - wide - 2.0), bounds.top - 5.0);
+    canvas.text(above, &heading, SMALL_LABEL_SIZE, Anchor::Start, BLACK)?;
     panel.axes(r"$10^6\,\Delta\mathcal{A}$", if place == 0 { r"$10^9\,\Delta\omega$" } else { "" })
 }
