@@ -57,7 +57,7 @@ pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     let kind = kinds().find(|kind| kind.name == arguments.kind);
     let kind =
         kind.ok_or_else(|| Failure::input(format!("--kind {}: there is no such kind", arguments.kind)))?;
-    write_new(file, kind.text)?;
+    write_new(file, &terminal::as_started(kind.text))?;
     let shown = file.display();
     terminal::say(&format!(
         "{shown} is written. Its comments explain every key; it can be unfolded as it is.\n"

@@ -74,7 +74,7 @@ pub(crate) fn program() -> &'static str {
 }
 
 /// The text with its commands written as this program was started.
-fn as_started(text: &str) -> String {
+pub(crate) fn as_started(text: &str) -> String {
     text.replace(IN_A_CLONE, program())
 }
 

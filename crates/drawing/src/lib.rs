@@ -31,7 +31,7 @@ pub use figures::magnifications::{draw_magnifications, draw_straightened};
 pub use figures::one_parameter::draw_one_parameter;
 pub use figures::place::draw_place;
 pub use geometry::sheet::Bounds;
-pub use ink::font::{FONT_FILES, style_sheet};
+pub use ink::font::{FONT_FILES, FORMULA_FONT, style_sheet};
 pub use ink::markup::unmarked;
 pub use ink::sheet::{Element, PanelMark, Path, Sheet};
 pub use ink::style::SheetWidth;

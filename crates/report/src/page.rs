@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use askama::Template;
 use askama::filters::Safe;
+use base64::prelude::{BASE64_STANDARD, Engine};
 use grazing_claims::{audit, errata};
+use grazing_drawing::FORMULA_FONT;
 use grazing_results::kinds;
 
 use crate::html::{Html, capitalised, escape, rendered};
@@ -36,6 +38,13 @@ const SCRIPTS: &[&str] = &[
 /// The content policy of the page, which allows nothing but its own content.
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; font-src data:";
+
+/// The style sheet that embeds the font of formulas, with a name of its own: it is reduced to what formulas
+/// need, and must not replace the complete one of the reader's system.
+fn formula_font() -> String {
+    let data = BASE64_STANDARD.encode(FORMULA_FONT);
+    format!("@font-face{{font-family:'Formulas';src:url(data:font/woff2;base64,{data})format('woff2')}}")
+}
 
 /// The page: one HTML text that needs nothing else.
 pub fn page(report: &Report<'_>) -> String {
@@ -214,7 +223,7 @@ mod tests {
     #[test]
     fn fonts_are_embedded_once() {
         let html = page(&sample::report());
-        assert_eq!(html.matches("@font-face").count(), grazing_drawing::FONT_FILES.len());
+        assert_eq!(html.matches("@font-face").count(), grazing_drawing::FONT_FILES.len() + 1);
     }
 
     #[test]

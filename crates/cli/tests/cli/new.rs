@@ -74,6 +74,31 @@ fn plain_is_what_is_written_if_no_kind_is_asked_for() {
 }
 
 #[test]
+fn an_installed_program_writes_commands_that_it_knows_and_pages_describe_the_oscillator() {
+    for name in ["plain", "moving-wall", "si"] {
+        let folder = empty_folder();
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args(["new", "my.toml", "--kind", name])
+            .current_dir(folder.path())
+            .env_remove("GRAZING_BY_XTASK")
+            .output()
+            .expect("the program can be started");
+        let told = String::from_utf8_lossy(&run.stdout).into_owned();
+        let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
+        for text in [&text, &told] {
+            assert!(text.contains("grazing unfold ") && !text.contains("cargo"), "{name}: {text}");
+        }
+        // What pages say of the oscillator is the comment before the first line without one.
+        let about: Vec<&str> = text.lines().take_while(|line| line.starts_with('#')).collect();
+        let about = about.join(" ");
+        assert!(about.contains("mass") || about.contains("block"), "{name}: {about}");
+        for instruction in ["THIS-FILE", "Change", "change", "your", "mistakes", "docs/"] {
+            assert!(!about.contains(instruction), "{name}: {about}");
+        }
+    }
+}
+
+#[test]
 fn what_is_there_is_not_replaced() {
     let folder = empty_folder();
     fs::write(folder.path().join("my.toml"), "mine").expect("the folder is ours");

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::browser::{Spot, assert_all_pass, checked, lost, sheets_of_paper};
+use crate::browser::{Spot, assert_all_pass, checked, cut, lost, sheets_of_paper};
 use crate::program::{
     DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
 };
@@ -154,12 +154,57 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     if let Some(results) = checked(&page, &spots, &FORMULAS) {
         assert_all_pass(&results);
     }
+    if let Some(cut) = cut(&page, 390) {
+        assert!(cut.is_empty(), "{cut:#?}");
+    }
+    assert_eq!(missing(&page), BTreeSet::new(), "the font of formulas needs these characters");
     if let Some((lost, followed)) = lost(&page, &[390], 2) {
         assert!(followed >= 16 && lost.is_empty(), "{followed}: {lost:#?}");
     }
     if let Some(sheets) = sheets_of_paper(&page) {
         assert!((10..MOST_SHEETS).contains(&sheets), "{sheets} pages on paper");
     }
+}
+
+/// The list of the characters of the font of formulas, from the command that made it.
+const FONTS: &str = include_str!("../../../drawing/fonts/README.md");
+
+/// The characters in the page's formulas that the font of formulas does not have. Browsers set single
+/// letters in italics, which are characters of their own.
+fn missing(page: &str) -> BTreeSet<char> {
+    let lists = FONTS.lines().skip_while(|line| !line.trim_start().starts_with("LETTERS="));
+    let ranges = lists.filter_map(|line| line.trim_start().split_once("='U+"));
+    let number = |text: &str| u32::from_str_radix(text.trim_start_matches("U+"), 16).expect("a character");
+    let ranges: Vec<[u32; 2]> = ranges
+        .flat_map(|(_, list)| list.trim_end_matches('\'').split(','))
+        .map(|range| range.split_once('-').map_or([number(range); 2], |(a, b)| [number(a), number(b)]))
+        .collect();
+    assert!(ranges.len() > 50, "{ranges:?}");
+    let shown = |text: &str| match text {
+        "&lt;" => "<".to_owned(),
+        "&gt;" => ">".to_owned(),
+        "&amp;" => "&".to_owned(),
+        other => other.to_owned(),
+    };
+    let italic = |letter: char| match letter {
+        'h' => 'ℎ',
+        'A'..='Z' => char::from_u32(0x1D434 + u32::from(letter) - u32::from('A')).expect("a letter"),
+        'a'..='z' => char::from_u32(0x1D44E + u32::from(letter) - u32::from('a')).expect("a letter"),
+        'Α'..='Ω' => char::from_u32(0x1D6E2 + u32::from(letter) - u32::from('Α')).expect("a letter"),
+        'α'..='ω' => char::from_u32(0x1D6FC + u32::from(letter) - u32::from('α')).expect("a letter"),
+        other => other,
+    };
+    let formulas = page.split("<math").skip(1).filter_map(|rest| rest.split("</math>").next());
+    let pieces = formulas.flat_map(|formula| formula.split('<').skip(1)).filter_map(|tag| tag.split_once('>'));
+    let used = pieces.flat_map(|(tag, text)| {
+        let text = shown(text);
+        let is_italic = tag == "mi" && text.chars().count() == 1;
+        text.chars().map(|letter| if is_italic { italic(letter) } else { letter }).collect::<Vec<_>>()
+    });
+    let has = |letter: &char| {
+        ranges.iter().any(|[first, last]| (*first..=*last).contains(&u32::from(*letter)))
+    };
+    used.filter(|letter| *letter != '\n' && !has(letter)).collect()
 }
 
 #[test]

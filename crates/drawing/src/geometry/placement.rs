@@ -30,7 +30,7 @@ pub(crate) struct Wanted<'a> {
 }
 
 /// Distances of a label from its spot that are tried, in points; from [`LED`] on with a leader.
-const GAPS: [f64; 9] = [0.0, 2.0, LED, 9.0, 14.0, 20.0, 26.0, 32.0, 38.0];
+const GAPS: [f64; 9] = [0.0, 2.0, LED, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0];
 const LED: f64 = 5.0;
 /// The least distance between two labels of the same text, in points, so that each is seen to belong to
 /// something of its own.
@@ -382,10 +382,10 @@ mod tests {
     #[test]
     fn leaders_do_not_cross_and_equal_labels_keep_apart() {
         let mut placer = Placer::new(SHEET);
-        // Two spots in a corridor so narrow that labels stand outside.
-        placer.keep_off(&[(20.0, 46.0), (80.0, 46.0)]);
-        placer.keep_off(&[(20.0, 54.0), (80.0, 54.0)]);
-        let spots = [(46.0, 50.0), (48.0, 50.0), (50.0, 50.0), (52.0, 50.0)];
+        // Spots in a corridor so narrow that labels stand outside.
+        placer.keep_off(&[(20.0, 48.0), (80.0, 48.0)]);
+        placer.keep_off(&[(20.0, 52.0), (80.0, 52.0)]);
+        let spots = [(48.0, 50.0), (50.0, 50.0), (52.0, 50.0)];
         let places = spots.map(|spot| placer.around(&[spot], 1.0, label("PD", 12.0, 6.0), false).unwrap());
         for (index, place) in places.iter().enumerate() {
             for other in &places[..index] {

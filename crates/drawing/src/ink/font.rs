@@ -22,6 +22,10 @@ pub const FONT_FILES: [(&str, &[u8]); 3] = [
     ("STIXTwoMath-Signs.ttf", include_bytes!("../../fonts/STIXTwoMath-Signs.ttf")),
 ];
 
+/// The font of formulas on pages: the letters and signs that `fonts/README.md` lists, with what MathML needs
+/// to set them.
+pub const FORMULA_FONT: &[u8] = include_bytes!("../../fonts/STIXTwoMath-Formulas.woff2");
+
 /// Font families for signs, the embedded one first.
 pub(crate) const SIGN_FAMILY: &str = "'STIX Two Math','STIX Two Text','STIXGeneral',serif";
 

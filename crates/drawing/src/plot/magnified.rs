@@ -9,8 +9,11 @@ use crate::ink::legend::Sample;
 use crate::ink::style::{AROUND_MAGNIFIED, MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 use crate::plot::axes::Panel;
 
-/// The least width and height of a drawn rectangle, in points, so that it surrounds the triangle inside;
-/// around a smaller one a dotted rectangle of this size is drawn.
+/// Rectangles smaller than this (points) would hide the triangle inside, and those lower or narrower than
+/// [`BAR`] would be bars across their contents.
+const HIDING: f64 = TRIANGLE_SIZE;
+const BAR: f64 = 3.0 * MAGNIFIED.width;
+/// The least width and height, in points, of the dotted rectangle that is drawn around such a rectangle.
 const LEAST: f64 = TRIANGLE_SIZE + 3.0;
 
 /// The distance from a resonance to its label, in points: the triangle and its rim, along the diagonal.
@@ -36,9 +39,10 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
     if seen.left > seen.right || seen.top > seen.bottom {
         return None;
     }
-    let [wide, high] = [b.0 - a.0, b.1 - a.1].map(|side| side.max(LEAST));
-    let whole = Bounds::about(own.centre(), wide, high);
-    let (meaning, pen, outline) = if wide > b.0 - a.0 || high > b.1 - a.1 {
+    let [wide, high] = [own.right - own.left, own.bottom - own.top];
+    let is_small = wide.max(high) < HIDING || wide.min(high) < BAR;
+    let whole = if is_small { Bounds::about(own.centre(), wide.max(LEAST), high.max(LEAST)) } else { own };
+    let (meaning, pen, outline) = if is_small {
         let values = [(whole.left, whole.bottom), (whole.right, whole.top)].map(|corner| panel.at(corner));
         let [(left, low), (right, high)] = values;
         (

@@ -24,6 +24,8 @@ addEventListener("load", async () => {
   check("nothing was loaded", loaded.length === 0, loaded.map((entry) => entry.name));
   check("nothing is laid out before all is read", EARLY.length === 0, EARLY);
   await document.fonts.ready;
+  const font = [...document.fonts].find((face) => face.family.replaceAll('"', "") === "Formulas");
+  check("formulas have their font", !document.querySelector("math") || font?.status === "loaded", font?.status);
 
   // Light and dark.
   const background = () => getComputedStyle(document.body).backgroundColor;

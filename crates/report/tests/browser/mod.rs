@@ -110,6 +110,29 @@ const LANDED: &str = "async (link, click, patience) => {
     return still === 10 || off();
 }";
 
+/// The captions and lines of text that a window of this width cuts off; none without a browser.
+pub(crate) fn cut(page: &str, width: u32) -> Option<Vec<String>> {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = folder.path().join("page.html");
+    fs::write(&file, page).expect("the folder is ours");
+    let mut browser = Browser::open(&format!("file://{}", file.display()), [width, WINDOW[1]])?;
+    browser.wait(LOADED);
+    let cut = browser.value(&format!("({CUT})()"));
+    Some(cut.as_array()?.iter().filter_map(|text| text.as_str()).map(str::to_owned).collect())
+}
+
+/// The captions and text outside of what scrolls by itself that leave the window, with where they end.
+const CUT: &str = "() => [...document.querySelectorAll('caption, h1, h2, h3, h4, p, dt, dd, li, summary')]
+    .filter((text) => text.matches('caption') || !text.closest('.scroll, .formula, .bar nav'))
+    .filter((text) => !text.querySelector('.formula'))
+    .map((text) => {
+        const range = document.createRange();
+        range.selectNodeContents(text);
+        return [text, Math.max(...[...range.getClientRects()].map((box) => box.right))];
+    })
+    .filter(([, end]) => end > document.documentElement.clientWidth + 1)
+    .map(([text, end]) => `${text.tagName} to ${end}: ${text.textContent.slice(0, 60)}`)";
+
 /// The number of pages in print; none without a browser.
 pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
     let (_folder, mut browser) = open(page)?;

@@ -39,7 +39,8 @@ impl Atlas {
         let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
         let room = canvas.width - LEFT - GAP - RIGHT;
         let middle = 0.5 * canvas.height;
-        let parting = LEFT + 2.0 * room / 3.0;
+        // Equal scales, or on narrow sheets a greater one where resonances are dense.
+        let parting = LEFT + room * if width == SheetWidth::OneColumn { 0.44 } else { 2.0 / 3.0 };
         let columns = [
             (1, [LEFT, parting], [-1.0, 1.0], [r"(a)  $p=1$", "(c)"]),
             (2, [parting + GAP, canvas.width - RIGHT], [-1.0, 0.0], [r"(b)  $p\ge 2$", "(d)"]),
@@ -100,11 +101,11 @@ impl Atlas {
                 marked.push((format!("{}, {}", place.loops, place.n), taken));
             }
         }
+        edges.iter().for_each(|edge| labels.placer.keep_off(edge));
         for (name, taken) in &marked {
-            let site = Site::Around(taken.centre(), 0.5 * (taken.right - taken.left));
+            let site = Site::Around(taken.centre(), 0.5 * (taken.right - taken.left) + 0.5);
             labels.add(name, SMALL_LABEL_SIZE - 1.0, BLACK, &site)?;
         }
-        edges.iter().for_each(|edge| labels.placer.keep_off(edge));
         // Each name is in the area between a boundary and the next.
         let beyond: Vec<(f64, f64)> =
             curves.first().into_iter().flatten().map(|&(_, epsilon)| (panel.frame.x[1], epsilon)).collect();
@@ -118,9 +119,12 @@ impl Atlas {
                 pair[0].iter().zip(pair[1]).map(|(one, two)| panel.spot(*one).0 - panel.spot(*two).0);
             let is_seen = across.fold(0.0, f64::max) > SEEN;
             if !labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Within(&ring))? && is_seen {
-                let [one, two] = [pair[0], pair[1]].map(|edge| panel.spot(edge[3 * edge.len() / 4]));
-                let middle = (0.5 * (one.0 + two.0), 0.5 * (one.1 + two.1));
-                labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Around(middle, 0.5))?;
+                let between = |(one, two): (&(f64, f64), &(f64, f64))| {
+                    let (one, two) = (panel.spot(*one), panel.spot(*two));
+                    (0.5 * (one.0 + two.0), 0.5 * (one.1 + two.1))
+                };
+                let band: Vec<_> = pair[0].iter().zip(pair[1]).map(between).collect();
+                labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Led(&band))?;
             }
         }
         labels.draw()
