@@ -43,7 +43,23 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
     // The converter escapes its own entities, leaves relations unescaped, and writes the micro sign
     // for the letter mu.
     let tidied = text.replace("&amp;nbsp;", "\u{a0}").replace('\u{b5}', "\u{3bc}");
+    let tidied = spaced_outside(tidied);
     Ok(tidied.replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
+}
+
+/// The MathML with the space before an operator in front of its scripts, and not among them as the converter
+/// puts it for `2 \sin^2`, where it would be the operator that is raised to a power.
+fn spaced_outside(mut text: String) -> String {
+    for scripts in ["<msup>", "<msub>", "<msubsup>"] {
+        let wrong = format!("{scripts}<mspace");
+        while let Some(start) = text.find(&wrong) {
+            let space = start + scripts.len();
+            let Some(length) = text[space..].find('>') else { break };
+            let moved = format!("{}{scripts}", &text[space..=space + length]);
+            text.replace_range(start..=space + length, &moved);
+        }
+    }
+    text
 }
 
 /// Words with formulas between dollars, as HTML; a formula that cannot be parsed is shown as its
@@ -209,6 +225,17 @@ mod tests {
             formula.starts_with("<math") && formula.contains("<msqrt>") && formula.contains("&lt;"),
             "{formula}"
         );
+    }
+
+    #[test]
+    fn a_power_of_an_operator_raises_the_operator() {
+        for (latex, scripts) in [
+            (r"2\sin^2(x)", "<msup><mi>sin</mi><mn>2</mn></msup>"),
+            (r"2\log_2 x", "<msub><mi>log</mi><mn>2</mn></msub>"),
+        ] {
+            let formula = mathml(latex, false).unwrap();
+            assert!(formula.contains(&format!("<mspace width=\"0.1667em\" />{scripts}")), "{formula}");
+        }
     }
 
     #[test]

@@ -158,6 +158,7 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
         assert!(cut.is_empty(), "{cut:#?}");
     }
     assert_eq!(missing(&page), BTreeSet::new(), "the font of formulas needs these characters");
+    assert_eq!(misset(&page), [""; 0]);
     if let Some((lost, followed)) = lost(&page, &[390], 2) {
         assert!(followed >= 16 && lost.is_empty(), "{followed}: {lost:#?}");
     }
@@ -195,16 +196,46 @@ fn missing(page: &str) -> BTreeSet<char> {
         other => other,
     };
     let formulas = page.split("<math").skip(1).filter_map(|rest| rest.split("</math>").next());
-    let pieces = formulas.flat_map(|formula| formula.split('<').skip(1)).filter_map(|tag| tag.split_once('>'));
+    let pieces =
+        formulas.flat_map(|formula| formula.split('<').skip(1)).filter_map(|tag| tag.split_once('>'));
     let used = pieces.flat_map(|(tag, text)| {
         let text = shown(text);
         let is_italic = tag == "mi" && text.chars().count() == 1;
         text.chars().map(|letter| if is_italic { italic(letter) } else { letter }).collect::<Vec<_>>()
     });
-    let has = |letter: &char| {
-        ranges.iter().any(|[first, last]| (*first..=*last).contains(&u32::from(*letter)))
-    };
+    let has =
+        |letter: &char| ranges.iter().any(|[first, last]| (*first..=*last).contains(&u32::from(*letter)));
     used.filter(|letter| *letter != '\n' && !has(letter)).collect()
+}
+
+/// The elements of formulas that do not have as many children as they need, without which browsers set
+/// what should be a script or a fraction in line.
+fn misset(page: &str) -> Vec<String> {
+    let needed = |element: &str| match element {
+        "msup" | "msub" | "mfrac" | "mover" | "munder" | "mroot" => Some(2),
+        "msubsup" | "munderover" => Some(3),
+        _ => None,
+    };
+    let mut faults = Vec::new();
+    for formula in page.split("<math").skip(1).filter_map(|rest| rest.split("</math>").next()) {
+        // Open elements, each with the number of its children so far.
+        let mut open: Vec<(&str, usize)> = vec![("math", 0)];
+        for tag in formula.split('<').skip(1).filter_map(|rest| rest.split('>').next()) {
+            let element = tag.split(' ').next().unwrap_or_default();
+            if let Some(closed) = element.strip_prefix('/') {
+                let (_, children) = open.pop().expect("it was opened");
+                if needed(closed).is_some_and(|needed| children != needed) {
+                    faults.push(format!("{closed} has {children} children: {formula}"));
+                }
+            } else {
+                open.last_mut().expect("the formula is open").1 += 1;
+                if !tag.ends_with('/') {
+                    open.push((element, 0));
+                }
+            }
+        }
+    }
+    faults
 }
 
 #[test]

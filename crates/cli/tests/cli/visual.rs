@@ -148,9 +148,10 @@ fn crossings(folder: &Path) -> Vec<String> {
 /// Whether ink of a label touches a line.
 fn touches(text: &Text, shape: &Shape) -> bool {
     let reach = 0.5 * shape.stroke.unwrap_or_default() - HAIR;
-    let closed = shape.points.iter().chain(shape.points.first());
-    let ends: Vec<&(f64, f64)> = if shape.filled { closed.collect() } else { shape.points.iter().collect() };
-    let touched = |glyph: &Bounds| ends.windows(2).any(|pair| glyph.grown(reach).meets(*pair[0], *pair[1]));
+    let touched = |glyph: &Bounds| {
+        let glyph = glyph.grown(reach);
+        shape.pieces.iter().any(|piece| piece.windows(2).any(|pair| glyph.meets(pair[0], pair[1])))
+    };
     shape.stroke.is_some() && text.glyphs.iter().any(touched)
 }
 

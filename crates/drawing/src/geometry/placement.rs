@@ -32,6 +32,8 @@ pub(crate) struct Wanted<'a> {
 /// Distances of a label from its spot that are tried, in points; from [`LED`] on with a leader.
 const GAPS: [f64; 9] = [0.0, 2.0, LED, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0];
 const LED: f64 = 5.0;
+/// The length below which a leader would look like a stray stroke, in points.
+const SHORTEST: f64 = 3.0;
 /// The least distance between two labels of the same text, in points, so that each is seen to belong to
 /// something of its own.
 const TWINS: f64 = 10.0;
@@ -179,6 +181,7 @@ impl Placer {
                     continue;
                 };
                 let leader = (gap >= LED).then(|| leader(&bounds, at, clearance));
+                let leader = leader.filter(|(from, to)| led || distance(*from, *to) >= SHORTEST);
                 let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
                     continue;
                 };
@@ -383,10 +386,10 @@ mod tests {
     fn leaders_do_not_cross_and_equal_labels_keep_apart() {
         let mut placer = Placer::new(SHEET);
         // Spots in a corridor so narrow that labels stand outside.
-        placer.keep_off(&[(20.0, 48.0), (80.0, 48.0)]);
-        placer.keep_off(&[(20.0, 52.0), (80.0, 52.0)]);
+        placer.keep_off(&[(20.0, 46.0), (80.0, 46.0)]);
+        placer.keep_off(&[(20.0, 54.0), (80.0, 54.0)]);
         let spots = [(48.0, 50.0), (50.0, 50.0), (52.0, 50.0)];
-        let places = spots.map(|spot| placer.around(&[spot], 1.0, label("PD", 12.0, 6.0), false).unwrap());
+        let places = spots.map(|spot| placer.around(&[spot], 1.0, label("PD", 12.0, 9.0), false).unwrap());
         for (index, place) in places.iter().enumerate() {
             for other in &places[..index] {
                 assert!(!cross(place.leader.unwrap(), other.leader.unwrap()), "{places:?}");

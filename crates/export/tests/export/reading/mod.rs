@@ -2,7 +2,7 @@
 
 use grazing_drawing::Bounds;
 use grazing_export::Drawing;
-use resvg::tiny_skia::{Rect, Transform};
+use resvg::tiny_skia::{Path, PathSegment, Rect, Transform};
 use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;
 
@@ -41,9 +41,9 @@ pub(crate) struct Shape {
     pub(crate) bounds: Bounds,
     /// The width of its stroke in points; `None` if it is only filled.
     pub(crate) stroke: Option<f64>,
-    /// The corners and ends of the pieces, in points of the sheet, in order.
+    /// The corners and ends of each piece, in points of the sheet, in order.
     #[allow(dead_code)] // Likewise.
-    pub(crate) points: Vec<(f64, f64)>,
+    pub(crate) pieces: Vec<Vec<(f64, f64)>>,
     /// Whether an area is filled, not only a line drawn.
     pub(crate) filled: bool,
 }
@@ -76,19 +76,43 @@ impl Reading for Drawing {
                 // All transforms here are rotations and uniform scalings, so one factor serves all
                 // directions.
                 let scale = f64::from(transform.get_scale().0);
-                let mut points = path.data().points().to_vec();
-                transform.map_points(&mut points);
                 let ink = around(path.stroke_bounding_box(), transform);
                 shapes.push(Shape {
                     bounds: clip.map_or(ink, |clip| clip.common(ink)),
                     filled: path.fill().is_some(),
                     stroke: path.stroke().map(|stroke| scale * f64::from(stroke.width().get())),
-                    points: points.iter().map(|point| (f64::from(point.x), f64::from(point.y))).collect(),
+                    pieces: pieces(path.data(), transform),
                 });
             }
         });
         shapes
     }
+}
+
+/// The pieces of a path, closed ones with their first spot at the end; curves by their control points.
+fn pieces(path: &Path, transform: Transform) -> Vec<Vec<(f64, f64)>> {
+    let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
+    for segment in path.segments() {
+        let further = match segment {
+            PathSegment::MoveTo(at) => {
+                pieces.push(Vec::new());
+                vec![at]
+            }
+            PathSegment::LineTo(at) => vec![at],
+            PathSegment::QuadTo(a, at) => vec![a, at],
+            PathSegment::CubicTo(a, b, at) => vec![a, b, at],
+            PathSegment::Close => Vec::new(),
+        };
+        let piece = pieces.last_mut().expect("a path begins with a move");
+        if further.is_empty() {
+            piece.extend(piece.first().copied());
+        }
+        piece.extend(further.into_iter().map(|mut at| {
+            transform.map_point(&mut at);
+            (f64::from(at.x), f64::from(at.y))
+        }));
+    }
+    pieces
 }
 
 fn read_text(tree: &Tree, text: &resvg::usvg::Text) -> Text {
