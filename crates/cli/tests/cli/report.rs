@@ -178,7 +178,8 @@ fn missing(page: &str) -> BTreeSet<char> {
     let number = |text: &str| u32::from_str_radix(text.trim_start_matches("U+"), 16).expect("a character");
     let ranges: Vec<[u32; 2]> = ranges
         .flat_map(|(_, list)| list.trim_end_matches('\'').split(','))
-        .map(|range| range.split_once('-').map_or([number(range); 2], |(a, b)| [number(a), number(b)]))
+        .map(|range| range.split_once('-').unwrap_or((range, range)))
+        .map(|(first, last)| [number(first), number(last)])
         .collect();
     assert!(ranges.len() > 50, "{ranges:?}");
     let shown = |text: &str| match text {

@@ -179,6 +179,11 @@ mod tests {
             for width in WIDTHS {
                 let sheet = draw_diagram(&sample.diagram, &sample.heading(), width).unwrap();
                 sheet.assert_well_placed(&(&sample.names, width));
+                // Every magnification has its letter and its rectangle.
+                let letters = sheet.texts().iter().filter(|text| text.starts_with('(')).count();
+                let rectangles = crate::tests::inspection::paths(&sheet.svg(), "#f08200").len();
+                let magnified = sample.diagram.magnified.len();
+                assert_eq!([letters, rectangles], [magnified; 2], "{:?} {width:?}", sample.names);
             }
         }
     }

@@ -27,6 +27,8 @@ pub(crate) struct Wanted<'a> {
     pub(crate) text: &'a str,
     pub(crate) width: f64,
     pub(crate) height: f64,
+    /// Whether it may cover lines and markers if there is no room off them.
+    pub(crate) covers: bool,
 }
 
 /// Distances of a label from its spot that are tried, in points; from [`LED`] on with a leader.
@@ -91,11 +93,25 @@ impl Placer {
     /// beside another one of the same text.
     fn free(&self, centre: Spot, label: Wanted<'_>) -> Option<Bounds> {
         let bounds = Bounds::about(centre, label.width, label.height);
-        let (around, lines) = (bounds.grown(TWINS), [&self.segments, &self.nameless, &self.leaders]);
-        let taken = self.blocked.iter().any(|b| b.overlaps(&bounds))
-            || self.placed.iter().any(|(text, twin)| text == label.text && twin.overlaps(&around))
-            || lines.into_iter().flatten().any(|(a, b)| bounds.meets(*a, *b));
+        let around = bounds.grown(TWINS);
+        let meets = |(a, b): &(Spot, Spot)| bounds.meets(*a, *b);
+        let beside_twin =
+            || self.placed.iter().any(|(text, twin)| text == label.text && twin.overlaps(&around));
+        let on_line = || self.segments.iter().chain(&self.nameless).any(meets);
+        let taken = self.is_taken(label, |other| other.overlaps(&bounds))
+            || beside_twin()
+            || self.leaders.iter().any(meets)
+            || !label.covers && on_line();
         (self.panel.holds(&bounds) && !taken).then_some(bounds)
+    }
+
+    /// Whether one of the boxes that a label must keep off is as `there` says: other labels, and markers
+    /// unless it covers them.
+    fn is_taken(&self, label: Wanted<'_>, there: impl Fn(&Bounds) -> bool) -> bool {
+        match label.covers {
+            true => self.placed.iter().any(|(_, other)| there(&other.grown(1.0))),
+            false => self.blocked.iter().any(there),
+        }
     }
 
     fn take(&mut self, text: &str, place: Option<LabelPlace>) -> Option<LabelPlace> {
@@ -182,10 +198,12 @@ impl Placer {
                 };
                 let leader = (gap >= LED).then(|| leader(&bounds, at, clearance));
                 let leader = leader.filter(|(from, to)| led || distance(*from, *to) >= SHORTEST);
-                let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
+                let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(label, leader)) else {
                     continue;
                 };
-                let cost = gap + CROSSING * crossed as f64 + COVERING * self.dusty(&bounds) as f64;
+                let covered = self.segments.iter().filter(|(a, b)| label.covers && bounds.meets(*a, *b));
+                let lines = (crossed + covered.count()) as f64;
+                let cost = gap + CROSSING * lines + COVERING * self.dusty(&bounds) as f64;
                 if best.is_none_or(|(cheapest, _)| cost < cheapest) {
                     best = Some((cost, LabelPlace { bounds, leader }));
                 }
@@ -196,9 +214,10 @@ impl Placer {
 
     /// The number of curves that a leader crosses; `None` if it passes through a blocked box or crosses
     /// another leader.
-    fn crossed(&self, (from, to): (Spot, Spot)) -> Option<usize> {
+    fn crossed(&self, label: Wanted<'_>, (from, to): (Spot, Spot)) -> Option<usize> {
         let meets = |&&(a, b): &&(Spot, Spot)| cross((a, b), (from, to));
-        if self.blocked.iter().any(|b| b.meets(from, to)) || self.leaders.iter().any(|other| meets(&other)) {
+        let through = self.is_taken(label, |other| other.meets(from, to));
+        if through || self.leaders.iter().any(|other| meets(&other)) {
             return None;
         }
         Some(self.segments.iter().filter(meets).count())
@@ -324,7 +343,7 @@ mod tests {
     use super::*;
 
     fn label(text: &str, width: f64, height: f64) -> Wanted<'_> {
-        Wanted { text, width, height }
+        Wanted { text, width, height, covers: false }
     }
 
     const SHEET: Bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };

@@ -20,6 +20,8 @@ pub enum Site<'a> {
     Around(Spot, f64),
     /// Around one of several spots.
     AroundAny(&'a [Spot], f64),
+    /// Around one of several spots, over lines and markers if there is no room off them.
+    Covering(&'a [Spot], f64),
     /// Away from a curve, with a leader to it.
     Led(&'a [Spot]),
     /// Inside a polygon.
@@ -96,8 +98,9 @@ impl<'c> Labels<'c> {
         let placer = &mut self.placer;
         let text = sources.join(" ");
         // The width in the embedded font is used if the wider fallback does not fit.
-        let labels =
-            widths.map(|width| Wanted { text: &text, width: width + 2.0 * PADDING, height }).into_iter();
+        let covers = matches!(site, Site::Covering(..));
+        let wanted = |width| Wanted { text: &text, width: width + 2.0 * PADDING, height, covers };
+        let labels = widths.map(wanted).into_iter();
         let mut beside =
             |curve, covers| labels.clone().find_map(|label| placer.beside_curve(curve, label, covers));
         let place = match *site {
@@ -106,7 +109,7 @@ impl<'c> Labels<'c> {
             Site::Around(spot, clearance) => {
                 labels.clone().find_map(|label| placer.around(&[spot], clearance, label, false))
             }
-            Site::AroundAny(spots, clearance) => {
+            Site::AroundAny(spots, clearance) | Site::Covering(spots, clearance) => {
                 labels.clone().find_map(|label| placer.around(spots, clearance, label, false))
             }
             Site::Led(curve) => {

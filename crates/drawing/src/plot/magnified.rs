@@ -1,5 +1,7 @@
 //! The rectangles of a diagram that panels of another sheet magnify, and the letters of both.
 
+use core::mem;
+
 use grazing_results::Frame;
 
 use crate::error::DrawingError;
@@ -61,17 +63,28 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
 }
 
 /// Labels a rectangle: around its middle or, for a small one among many curves, at the first corner with
-/// room.
+/// room, or else from farther away than other labels, and rather over lines and markers than not at all.
 pub(crate) fn letter(labels: &mut Labels<'_>, number: u32, outline: &Bounds) -> Result<(), DrawingError> {
     let Bounds { left, top, right, bottom } = *outline;
     let reach = 0.5 * (right - left).min(bottom - top);
-    let corners = [(left, bottom), (left, top), (right, top), (right, bottom)].map(|corner| (corner, 1.0));
+    let corners = [(left, bottom), (left, top), (right, top), (right, bottom)];
+    let near = [(outline.centre(), reach + 1.0)].into_iter().chain(corners.map(|corner| (corner, 1.0)));
     let letter = panel_letter(number);
-    for (spot, clearance) in [(outline.centre(), reach + 1.0)].into_iter().chain(corners) {
+    for (spot, clearance) in near {
         if labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Site::Around(spot, clearance))? {
+            return Ok(());
+        }
+    }
+    let middle = outline.centre();
+    let sides = [(left, middle.1), (right, middle.1), (middle.0, top), (middle.0, bottom)];
+    let around = [corners, sides].concat();
+    let farthest = mem::replace(&mut labels.placer.farthest, f64::INFINITY);
+    for site in [Site::AroundAny(&around, 1.0), Site::Covering(&around, 1.0)] {
+        if labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &site)? {
             break;
         }
     }
+    labels.placer.farthest = farthest;
     Ok(())
 }
 
