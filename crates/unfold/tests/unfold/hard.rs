@@ -27,7 +27,7 @@ fn curves_that_creep_along_the_edge_of_escape_end_early() {
     let diagram = computed(&well(ranges), &scope(ranges[0], ranges[1], &[2]), &Stop::default());
     for curve in &diagram.curves {
         let points = curve.curve.points.len();
-        assert!(points < 2_000, "{points} points of {} to {:?}", curve.kind, curve.curve.end);
+        assert!(points < 2_000, "{points} points of {:?} to {:?}", curve.kind, curve.curve.end);
         assert!(!matches!(curve.curve.end, CurveEnd::EventNotLocated { .. }), "{:?}", curve.curve.end);
     }
     assert!(diagram.curves.iter().any(|curve| curve.loops == 2));
