@@ -117,7 +117,7 @@ pub const fn darker([red, green, blue]: Colour) -> Colour {
 }
 
 /// The colours of curves that a file requests, on light and on dark ground.
-pub const OWN: [Colour; 2] = [[162, 108, 216], [170, 120, 235]];
+pub const OWN: [Colour; 2] = [[162, 108, 216], [165, 53, 205]];
 /// The widths of such a curve in points where solutions are stable, and where they are not.
 pub const OWN_WIDTHS: [f64; 2] = [1.15, 0.5];
 
@@ -140,10 +140,10 @@ pub const MARKER_RIM: [Colour; 2] = [[255, 255, 255], [27, 30, 35]];
 /// those of motion without impacts; the last entry is for that number of loops or more.
 pub const LOOPS: [[Colour; 2]; 5] = [
     [[0, 0, 0], [242, 240, 234]],
-    [[222, 132, 14], [231, 187, 132]],
-    [[1, 151, 176], [25, 168, 228]],
-    [[152, 27, 102], [208, 114, 163]],
-    [[105, 53, 19], [147, 113, 78]],
+    [[222, 132, 14], [234, 184, 46]],
+    [[1, 151, 176], [120, 150, 169]],
+    [[152, 27, 102], [202, 44, 179]],
+    [[105, 53, 19], [146, 98, 62]],
 ];
 
 /// The colours of solutions with p loops.

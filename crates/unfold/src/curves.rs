@@ -143,11 +143,13 @@ pub(crate) struct Net {
     pub(crate) meetings: Vec<CodimensionTwoPoint>,
     /// The number of codimension-two points from which further curves have been followed.
     grown: usize,
+    /// The ends of the first curves, beyond the window if need be.
+    pub(crate) reached: Vec<Vec<Unknowns>>,
 }
 
 impl Net {
     pub(crate) fn new(equations: LoopEquations) -> Self {
-        Self { equations, curves: Vec::new(), meetings: Vec::new(), grown: 0 }
+        Self { equations, curves: Vec::new(), meetings: Vec::new(), grown: 0, reached: Vec::new() }
     }
 
     pub(crate) fn loops(&self) -> u32 {

@@ -36,8 +36,10 @@ impl Net {
         let route = window
             .map(|window| Route { step_limit: FARTHEST, ..route(around(window), StepControl::DRAWING) });
         let (equations, curves) = (&self.equations, &self.curves);
-        let ends: Vec<Vec<Unknowns>> =
-            curves.iter().map(|curve| ends(equations, curve, route.as_ref())).collect();
+        // A curve is followed beyond the window once.
+        let new = &curves[self.reached.len().min(curves.len())..];
+        self.reached.extend(new.iter().map(|curve| ends(equations, curve, route.as_ref())));
+        let ends = &self.reached;
         let is_grazing = |k: &usize| curves[*k].kind == Bifurcation::Grazing;
         let (grazing, others): (Vec<usize>, Vec<usize>) = (0..curves.len()).partition(is_grazing);
         let mut numbers = vec![0; curves.len()];

@@ -93,18 +93,11 @@ pub(crate) fn decided(
         judge.affordable(unseen, &wanted)
     });
     let Seen { judge, lines, curves, is_whole } = seen?;
-    let loops = survey.loops();
     if is_whole {
-        survey.number();
-        return Some(judge.regions(&lines, survey.curves(), loops, &[]));
+        return Some(judge.regions(&lines, survey.curves(), survey.loops(), false));
     }
-    let mut unsettled = judge.loose_ends(&lines);
-    unsettled.extend(judge.barely_crossed(&lines, 1).flat_map(|line| line.iter().copied()));
-    let mut regions = judge.regions(&lines, &curves, loops, &unsettled);
+    let regions = judge.regions(&lines, &curves, survey.loops(), true);
     survey.return_to(curves);
-    for region in regions.iter_mut().filter(|region| region.doubt.is_some()) {
-        region.doubt = Some(Doubt::NotFinished);
-    }
     Some(regions)
 }
 
@@ -113,7 +106,7 @@ struct Seen {
     judge: Judge,
     lines: Vec<Vec<Point>>,
     curves: Vec<DiagramCurve>,
-    /// Whether no more slices are wanted.
+    /// Whether nothing is missing.
     is_whole: bool,
 }
 
@@ -129,8 +122,8 @@ fn across_curves(judge: &Judge, survey: &Survey<'_>, lines: &[Vec<Point>]) -> Ve
     [judge.uncrossed(lines, 1), judge.uncrossed(&survey.beginnings(), ABOUT_BEGINNINGS)].concat()
 }
 
-/// Lays slices at some values of η, then at those that are wanted once these are known, and so on. What a
-/// cancelled round has seen is left out; `None` if that is everything.
+/// Lays slices at some values of η, then at those that are wanted once these are known, and so on. What was
+/// seen last when the computation is cancelled is left out; `None` if that is everything.
 fn refined(
     window: Window,
     survey: &mut Survey<'_>,
@@ -141,18 +134,25 @@ fn refined(
     let mut last = None;
     let mut levels = levels.to_vec();
     for round in 0..=ROUNDS {
-        survey.look_at(&levels, progress);
-        let judge = Judge { window, sights: survey.sights(), witnesses: survey.witnesses() };
-        let lines = joined(window, survey.lines());
-        levels = if round < ROUNDS { wanted(&judge, survey, &lines) } else { Vec::new() };
-        // Only now is it known that nothing of this was cancelled.
-        if progress.stopped() {
-            break;
+        survey.look_at(&levels);
+        let mut goes_on = true;
+        while goes_on {
+            goes_on = survey.goes_on(progress);
+            let witnesses = if goes_on { Vec::new() } else { survey.witnesses() };
+            let judge = Judge { window, sights: survey.sights(), witnesses };
+            let lines = joined(window, survey.lines());
+            survey.number();
+            let is_last = goes_on || round == ROUNDS;
+            levels = if is_last { Vec::new() } else { wanted(&judge, survey, &lines) };
+            // Only now is it known that nothing of this was cancelled.
+            if progress.stopped() {
+                return last;
+            }
+            let is_whole = !goes_on && levels.is_empty();
+            let curves = if is_whole { Vec::new() } else { survey.curves().to_vec() };
+            last = Some(Seen { judge, lines, curves, is_whole });
         }
-        let is_whole = levels.is_empty();
-        let curves = if is_whole { Vec::new() } else { survey.curves().to_vec() };
-        last = Some(Seen { judge, lines, curves, is_whole });
-        if is_whole {
+        if levels.is_empty() {
             break;
         }
     }
@@ -196,24 +196,22 @@ impl Judge {
 
     /// The regions into which lines cut the window.
     ///
-    /// Faces with one of some unsettled points on their border are not finished.
+    /// If solutions may be missing only faces in which they are stable and admissible are decided.
     fn regions(
         &self,
         lines: &[Vec<Point>],
         curves: &[DiagramCurve],
         loops: u32,
-        unsettled: &[Point],
+        incomplete: bool,
     ) -> Vec<Region> {
         let faces = faces::cut(self.window, lines).into_iter();
-        let is_unsettled = |face: &Face| {
-            let mut border = face.iter().flatten();
-            border.any(|vertex| unsettled.iter().any(|point| gap(self.window, *vertex, *point) < MEET))
-        };
-        let judged = |face: Face| match is_unsettled(&face) {
-            true => vec![FaceVerdict { face, verdict: Err(Doubt::NotFinished), trouble: Vec::new() }],
-            false => self.parted(self.judge(face)),
-        };
-        let judged: Vec<FaceVerdict> = faces.flat_map(judged).collect();
+        let judged =
+            faces.flat_map(|face| self.parted(self.judge(face))).map(|judged| match judged.verdict {
+                Ok(true) => judged,
+                _ if incomplete => FaceVerdict { verdict: Err(Doubt::NotFinished), ..judged },
+                _ => judged,
+            });
+        let judged: Vec<FaceVerdict> = judged.collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
         let mut regions: Vec<(usize, Region)> = Vec::new();
         let [width, height] = self.window.widths();
@@ -352,7 +350,7 @@ mod tests {
 
     /// The regions of the whole window, cut by no curve.
     fn whole(sights: Vec<Sight>) -> Vec<(RegionKind, Option<Doubt>)> {
-        let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1, &[]);
+        let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1, false);
         regions.into_iter().map(|region| (region.kind(), region.doubt)).collect()
     }
 

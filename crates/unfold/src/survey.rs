@@ -120,8 +120,8 @@ impl<'a> Survey<'a> {
         self.slices.push(slice);
     }
 
-    /// Adds slices at more values of η, and all curves that they show to be missing.
-    pub(crate) fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
+    /// Adds slices at more values of η, with the branches that begin on them.
+    pub(crate) fn look_at(&mut self, levels: &[f64]) {
         let begun = |level: &f64| {
             let places = self.grazing.iter().flat_map(|curve| {
                 // Impacts count phases in turns of the forcing.
@@ -134,46 +134,44 @@ impl<'a> Survey<'a> {
         };
         let begun: Vec<Slice> = levels.par_iter().map(begun).collect();
         self.slices.extend(begun);
-        self.complete(progress);
     }
 
-    /// Carries branches to all slices and starts missing curves, until there are none of either.
-    fn complete(&mut self, progress: &dyn Progress) {
-        loop {
-            spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
-            let new = self.slices.iter_mut().flat_map(Slice::take_new);
-            let events: Vec<Event> = new
-                .flat_map(|branch| bounding(self.net, branch, self.scope.window, self.periods > 1))
-                .collect();
-            self.explain(&events, progress);
-            self.follow_columns(progress);
-            let (curves, columns, slicer) = (&self.net.curves, &self.columns, &self.slicer);
-            let has_impacts = self.net.equations.has_impacts();
-            let through = |slice: &mut Slice| {
-                let by_curves = slicer.through_curves(slice, curves);
-                // Without impacts a column is met by the slices on which it was started.
-                has_impacts && slicer.through_columns(slice, columns) || by_curves
-            };
-            let fresh: Vec<bool> = self.slices.par_iter_mut().map(through).collect();
-            if progress.stopped() {
-                break;
-            }
-            if !fresh.contains(&true) {
-                if self.found.is_empty() {
-                    break;
-                }
-                // Only now that all solutions with a known lead are found.
-                let found = core::mem::take(&mut self.found);
-                self.follow_edges(&found, progress);
-                // Branches through these solutions are to be followed across as well.
-                self.crossed = false;
-                self.slices.par_iter_mut().for_each(|slice| {
-                    let secondary = slice.secondary;
-                    let here = found.iter().filter(|solution| solution[unknown::SECONDARY] == secondary);
-                    self.slicer.through(slice, here.copied());
-                });
-            }
+    /// Carries branches to all slices and starts the curves that are missing then; returns whether there may
+    /// be more of either.
+    pub(crate) fn goes_on(&mut self, progress: &dyn Progress) -> bool {
+        spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
+        let new = self.slices.iter_mut().flat_map(Slice::take_new);
+        let events: Vec<Event> =
+            new.flat_map(|branch| bounding(self.net, branch, self.scope.window, self.periods > 1)).collect();
+        self.explain(&events, progress);
+        self.follow_columns(progress);
+        let (curves, columns, slicer) = (&self.net.curves, &self.columns, &self.slicer);
+        let has_impacts = self.net.equations.has_impacts();
+        let through = |slice: &mut Slice| {
+            let by_curves = slicer.through_curves(slice, curves);
+            // Without impacts a column is met by the slices on which it was started.
+            has_impacts && slicer.through_columns(slice, columns) || by_curves
+        };
+        let fresh: Vec<bool> = self.slices.par_iter_mut().map(through).collect();
+        if progress.stopped() {
+            return false;
         }
+        if !fresh.contains(&true) {
+            if self.found.is_empty() {
+                return false;
+            }
+            // Only now that all solutions with a known lead are found.
+            let found = core::mem::take(&mut self.found);
+            self.follow_edges(&found, progress);
+            // Branches through these solutions are to be followed across as well.
+            self.crossed = false;
+            self.slices.par_iter_mut().for_each(|slice| {
+                let secondary = slice.secondary;
+                let here = found.iter().filter(|solution| solution[unknown::SECONDARY] == secondary);
+                self.slicer.through(slice, here.copied());
+            });
+        }
+        true
     }
 
     /// Follows the branches of slices through the range of η where they meet a column, MPSs once,
@@ -374,7 +372,8 @@ mod tests {
         let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::FixedPhase));
         let scope = Scope { window, loops: vec![loops], start: None };
         let mut survey = Survey::new(&mut net, &scope, &[], found);
-        survey.look_at(levels, &Silent);
+        survey.look_at(levels);
+        while survey.goes_on(&Silent) {}
         (survey.lines().len(), survey.sights())
     }
 
@@ -426,17 +425,19 @@ mod tests {
         let mut survey = Survey::new(&mut once, &scope, &[], Vec::new());
         let motion = periodic_motion(&oscillator, &scope, 0.418);
         survey.add_slice(Slice::new(0.418, motion.branches));
-        survey.complete(&Silent);
+        while survey.goes_on(&Silent) {}
         let mut twice = free(&over_periods(&oscillator, 2));
         let mut survey = Survey::of_doubled(&mut twice, &scope, 2, &once);
-        survey.look_at(&[0.418], &Silent);
+        survey.look_at(&[0.418]);
+        while survey.goes_on(&Silent) {}
         let grazing = survey.grazing;
         // Half a turn on the same curve is met again.
         assert_eq!(grazing.len(), 1);
         let seen = |grazing: &[GrazingCurve]| {
             let mut net = Net::new(LoopEquations::new(oscillator.clone(), 2, Formulation::FixedPhase));
             let mut survey = Survey::new(&mut net, &scope, grazing, Vec::new());
-            survey.look_at(&[0.418_093], &Silent);
+            survey.look_at(&[0.418_093]);
+            while survey.goes_on(&Silent) {}
             // Simulation settles on a solution with two loops here.
             survey.sights()[0].share([1.079, 1.08])
         };

@@ -3,8 +3,10 @@
 
 use grazing_continuation::curve::CurveEnd;
 use grazing_description::Description;
-use grazing_model::smooth::Stop;
-use grazing_unfold::regions::{Doubt, Region};
+use grazing_model::smooth::{Stop, Stoppable};
+use grazing_model::{AnyOscillator, LinearOscillator};
+use grazing_unfold::diagram::DiagramCurve;
+use grazing_unfold::regions::Doubt;
 use grazing_unfold::{Diagram, Scope};
 
 use crate::specimens::{described, scope};
@@ -23,7 +25,7 @@ fn computed(description: &Description, scope: &Scope, stop: &Stop) -> Diagram {
 
 #[test]
 fn curves_that_creep_along_the_edge_of_escape_end_early() {
-    let ranges = [[0.04, 0.12], [0.55, 0.62]];
+    let ranges = [[0.04, 0.4], [0.5, 0.7]];
     let diagram = computed(&well(ranges), &scope(ranges[0], ranges[1], &[2]), &Stop::default());
     for curve in &diagram.curves {
         let points = curve.curve.points.len();
@@ -35,7 +37,7 @@ fn curves_that_creep_along_the_edge_of_escape_end_early() {
 
 #[test]
 fn solutions_far_beyond_the_wall_do_not_leave_a_window_undecided() {
-    let ranges = [[8.0, 11.0], [5.2, 6.0]];
+    let ranges = [[0.0, 12.0], [2.3, 3.0]];
     let force = "-0.05*v - x - 0.1*x^3 - 1 + mu*cos(eta*t)";
     let stop = Stop::default();
     let diagram =
@@ -44,39 +46,53 @@ fn solutions_far_beyond_the_wall_do_not_leave_a_window_undecided() {
     assert!(doubts.is_empty(), "{doubts:?}");
     assert!(diagram.regions.iter().any(|region| region.loops == 1));
     // Branches of four loops alone took ten times as many.
-    assert!(stop.steps() < 6_000_000, "{}", stop.steps());
+    assert!(stop.steps() < 20_000_000, "{}", stop.steps());
 }
 
 #[test]
 fn what_is_decided_when_a_limit_is_reached_is_right_and_the_rest_is_not_finished() {
-    let ranges = [[0.02, 0.4], [0.8, 1.1]];
-    let (description, scope) = (well(ranges), scope(ranges[0], ranges[1], &[1]));
+    let scope = scope([0.0, 1.2], [0.3, 1.1], &[2]);
+    let computed = |stop: &Stop| {
+        let linear = LinearOscillator::new(0.02, 0.9, 0.5, 0.8).expect("it is in the domain");
+        let oscillator = AnyOscillator::new(Stoppable::new(linear, stop.clone()));
+        Diagram::compute(&oscillator, &scope, stop).unwrap_or_else(|error| panic!("{error}"))
+    };
     let all = Stop::default();
-    let whole = computed(&description, &scope, &all);
-    let window = whole.scope.window;
-    let holds = |regions: &[Region], shaded: bool, at: [f64; 2]| {
-        regions
-            .iter()
-            .any(|region| region.loops == 1 && region.doubt.is_none() == shaded && region.contains(at))
+    let whole = computed(&all);
+    let holds = |diagram: &Diagram, shaded: bool, at: [f64; 2]| {
+        let mut regions = diagram.regions.iter().filter(|region| region.loops == 2);
+        regions.any(|region| region.doubt.is_none() == shaded && region.contains(at))
     };
     let mut partly = 0;
-    for share in [0.6, 0.7, 0.8, 0.9, 0.97] {
-        let stop = Stop::after((share * all.steps() as f64) as u64);
-        let cut = computed(&description, &scope, &stop);
-        assert!(!cut.unfinished.is_empty(), "{share}");
-        let doubts = cut.regions.iter().filter_map(|region| region.doubt.as_ref());
-        assert!(doubts.into_iter().all(|doubt| *doubt == Doubt::NotFinished), "{share}");
+    for share in (0..50).map(|k| 0.8 + 0.004 * f64::from(k)) {
+        let cut = computed(&Stop::after((share * all.steps() as f64) as u64));
+        // Steps are counted in lots, so the last limits may not be reached.
+        if cut.unfinished.is_empty() {
+            continue;
+        }
+        let mut doubts = cut.regions.iter().filter_map(|region| region.doubt.as_ref());
+        assert!(doubts.all(|doubt| *doubt == Doubt::NotFinished), "{share}");
+        for curve in cut.curves.iter().filter(|curve| curve.loops == 2) {
+            // An end may be that of another curve, found later.
+            let inner = |curve: &DiagramCurve| {
+                let points = curve.curve.parameters();
+                points[1..points.len() - 1].to_vec()
+            };
+            let same = |other: &&DiagramCurve| inner(other) == inner(curve);
+            let complete = whole.curves.iter().find(same).map(|other| other.n);
+            assert_eq!(complete, Some(curve.n), "{share}: {:?}", curve.kind);
+        }
         let (mut shaded, mut hatched) = (0, 0);
-        for place in (0..400).map(|k| [f64::from(k % 20), f64::from(k / 20)]) {
-            let at = window.parameters(place.map(|k| (k + 0.43) / 20.0));
-            if holds(&cut.regions, false, at) {
+        for place in (0..2_500).map(|k| [f64::from(k % 50), f64::from(k / 50)]) {
+            let at = scope.window.parameters(place.map(|k| (k + 0.43) / 50.0));
+            if holds(&cut, false, at) {
                 hatched += 1;
             } else {
-                assert_eq!(holds(&cut.regions, true, at), holds(&whole.regions, true, at), "{share}: {at:?}");
-                shaded += u32::from(holds(&cut.regions, true, at));
+                assert_eq!(holds(&cut, true, at), holds(&whole, true, at), "{share}: {at:?}");
+                shaded += u32::from(holds(&cut, true, at));
             }
         }
-        partly += u32::from(shaded > 0 && hatched < 400);
+        partly += u32::from(shaded > 0 && hatched < 2_500);
     }
-    assert!(partly > 1, "{partly}");
+    assert!(partly > 0, "{partly}");
 }
