@@ -2,7 +2,7 @@
 //! that cross it, and solutions.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, CurvePoint};
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::smooth::Purpose;
@@ -25,6 +25,8 @@ const CLOSER: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
 const BESIDE_DOUBLING: [f64; 3] = [1e-3, 1e-2, 5e-2];
 /// Number of solutions of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
+/// Number of points out of sight, or among violent motion, after which a sketch is abandoned, and a few more.
+const LAST_POINTS: usize = 60;
 
 impl Slicer {
     /// The branches at some η that begin on the grazing curve, or pass it, at its points (z, μ).
@@ -111,8 +113,9 @@ impl Slicer {
         // Most solutions lead to known branches, for which few digits are enough.
         let rough = self.control.sketches().then(|| self.equations.roughly());
         for branch in &from.branches[known..] {
-            let every = (branch.points.len() / CARRIED).max(1);
-            for point in branch.points.iter().skip(every / 2).step_by(every) {
+            let points = in_sight(branch);
+            let every = (points.len() / CARRIED).max(1);
+            for point in points.iter().skip(every / 2).step_by(every) {
                 let mut near = point.solution.unknowns;
                 near[unknown::SECONDARY] = to.secondary;
                 let new = |equations: &LoopEquations| {
@@ -218,6 +221,17 @@ impl Slicer {
             }
         }
     }
+}
+
+/// The points of a branch without those for which it was abandoned: solutions carried from there would be
+/// pieces of a branch that the other slice has abandoned, too.
+fn in_sight(branch: &Curve) -> &[CurvePoint] {
+    let points = &branch.points;
+    let abandoned = |end: Option<&CurveEnd>| match end {
+        Some(CurveEnd::Abandoned) => LAST_POINTS.min(points.len() / 2),
+        _ => 0,
+    };
+    &points[abandoned(branch.beginning.as_ref())..points.len() - abandoned(Some(&branch.end))]
 }
 
 #[cfg(test)]
