@@ -8,6 +8,7 @@ use crate::arclength::{CurveEquations, Stall, StepControl};
 use crate::locate::{Condition, LocateFailure, conditioned};
 use crate::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns};
 use crate::newton::Linearisation;
+use crate::tolerances::ABANDONED_POINTS;
 
 /// The equations of a curve of periodic solutions.
 ///
@@ -136,9 +137,10 @@ pub enum CurveEnd {
     },
     /// No further point was found, in either formulation.
     Stalled(Stall<MapError>),
-    /// The step limit was reached, which is lower for a sketch among violent motion.
+    /// The step limit was reached, or the curve has hardly advanced for long.
     StepLimit,
-    /// The pace ended the curve: what follows does not matter.
+    /// What follows does not matter, by the pace or because motion has long been violent or, on a
+    /// sketch, far beyond the wall.
     Abandoned,
 }
 
@@ -171,6 +173,16 @@ impl Curve {
     /// The curve in the plane of the two parameters (μ, η).
     pub fn parameters(&self) -> Vec<[f64; 2]> {
         self.points.iter().map(|point| point.solution.parameters()).collect()
+    }
+
+    /// The points without those for which the curve was abandoned at either end.
+    pub fn before_abandoned(&self) -> &[CurvePoint] {
+        let points = &self.points;
+        let left_out = |end: Option<&CurveEnd>| match end {
+            Some(CurveEnd::Abandoned) => ABANDONED_POINTS.min(points.len() / 2),
+            _ => 0,
+        };
+        &points[left_out(self.beginning.as_ref())..points.len() - left_out(Some(&self.end))]
     }
 
     /// The reasons why the curve was not followed beyond its first and its last point; `None` where

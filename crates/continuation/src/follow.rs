@@ -39,7 +39,6 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
             followed: &self,
             route,
             signs: self.starting_signs(&here),
-            short: 0,
             beyond: 0,
             curve: Curve {
                 condition: self.condition,
@@ -144,8 +143,6 @@ struct Follower<'a, O> {
     route: &'a Route<'a>,
     curve: Curve,
     signs: Option<Signs>,
-    /// The number of steps in a row that were very short.
-    short: usize,
     /// The number of sounded points in a row at which motion goes far beyond the wall.
     beyond: usize,
 }
@@ -208,24 +205,27 @@ impl<O: ImpactOscillator> Follower<'_, O> {
 
     /// Whether the curve has hardly advanced for long, as where motion is so sensitive that no longer steps
     /// succeed.
-    fn creeps(&mut self) -> bool {
-        let [.., before, last] = self.curve.points.as_slice() else { return false };
-        let step = self.followed.equations.gap(&before.solution.unknowns, &last.solution.unknowns).norm();
-        self.short = if step < SHORT_STEP * self.route.control.longest { self.short + 1 } else { 0 };
-        self.short > MOST_SHORT_STEPS
+    fn creeps(&self) -> bool {
+        let (equations, points) = (&self.followed.equations, &self.curve.points);
+        let short = |pair: &[CurvePoint]| {
+            let step = equations.gap(&pair[0].solution.unknowns, &pair[1].solution.unknowns);
+            step.norm() < SHORT_STEP * self.route.control.longest
+        };
+        points.len() > MOST_SHORT_STEPS && points.windows(2).rev().take(MOST_SHORT_STEPS).all(short)
     }
 
     /// Whether motion on a sketch has gone far beyond the wall for long: from there it seldom comes back
-    /// to what is admissible, and solutions are the more the faster they are.
+    /// to what is admissible, and the faster solutions are the more of them there are.
     fn is_out_of_sight(&mut self) -> bool {
         let equations = &self.followed.equations;
         let count = self.curve.points.len();
         if !self.route.control.sketches() || !equations.has_impacts() || !count.is_multiple_of(SOUNDED) {
             return false;
         }
-        let Some(last) = self.curve.points.last() else { return false };
-        let here = equations.sketch(&last.solution.unknowns, last.solution.multipliers, true);
-        self.beyond = if here.ceiling() > OUT_OF_SIGHT { self.beyond + 1 } else { 0 };
+        let Some(CurvePoint { solution, .. }) = self.curve.points.last() else { return false };
+        let with_maxima = || equations.sketch(&solution.unknowns, solution.multipliers, true).ceiling();
+        let ceiling = solution.highest_interior_maximum.map_or_else(with_maxima, |top| top.position);
+        self.beyond = if ceiling > OUT_OF_SIGHT { self.beyond + 1 } else { 0 };
         self.beyond > MOST_OUT_OF_SIGHT
     }
 
@@ -254,7 +254,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             if self.matters(past, now, &solution) {
                 let located = self.locate_events(&step, past, now, &solution);
                 let lost = matches!(located, ControlFlow::Break(CurveEnd::EventNotLocated { .. }));
-                match self.without_events(&step).filter(|_| lost) {
+                match lost.then(|| self.without_events(&step)).flatten() {
                     Some(exact) => (solution, now) = exact,
                     None => located?,
                 }

@@ -114,17 +114,24 @@ pub(crate) const VIOLENT: f64 = 1e3;
 /// Ratio of a step that is tried again to one on which an event was seen that could not be located.
 pub(crate) const AGAIN: f64 = 0.25;
 
-/// A step is very short if it is less than this fraction of the longest, and a curve ends after this
-/// many in a row (empirical: sharp turns and cusps take fewer than a hundred).
+/// A step is very short if it is less than this fraction of the longest.
 pub(crate) const SHORT_STEP: f64 = 1e-3;
+/// A curve ends after this many very short steps in a row (empirical: sharp turns and cusps take fewer
+/// than a hundred).
 pub(crate) const MOST_SHORT_STEPS: usize = 500;
 
-/// On a sketch every so manieth point is sounded: where motion is higher than this above the wall, whose
-/// distance from rest is of order one, at more than so many of them in a row, the sketch is abandoned
-/// (empirical).
+/// On a sketch the highest maximum is computed at one point in this many. Where it is higher than
+/// [`OUT_OF_SIGHT`] above the wall, whose distance from rest is of order one, at more than
+/// [`MOST_OUT_OF_SIGHT`] such points in a row, the sketch is abandoned (empirical).
 pub(crate) const SOUNDED: usize = 10;
+/// See [`SOUNDED`].
 pub(crate) const OUT_OF_SIGHT: f64 = 1.0;
+/// See [`SOUNDED`].
 pub(crate) const MOST_OUT_OF_SIGHT: usize = 4;
+
+/// The largest number of points for which a sketch is abandoned: the last point that was in sight is
+/// followed by one of those that were not.
+pub(crate) const ABANDONED_POINTS: usize = SOUNDED * (MOST_OUT_OF_SIGHT + 2);
 
 /// Multipliers beyond this change so fast that no sign stays known for long.
 pub(crate) const UNSETTLED_MULTIPLIERS: f64 = 1e3;

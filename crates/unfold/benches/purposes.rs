@@ -25,8 +25,8 @@ fn main() {
     let names: Vec<&str> = counts.iter().map(|(name, _)| name.as_str()).collect();
     println!("thousands of steps | {}", names.join(" | "));
     for purpose in Purpose::ALL {
-        let of = |stop: &Stop| stop.by_purpose().find(|(other, _)| *other == purpose).map_or(0, |it| it.1);
-        let row: Vec<String> = counts.iter().map(|(_, stop)| (of(stop) / 1000).to_string()).collect();
+        let of = |stop: &Stop| stop.by_purpose().nth(purpose as usize).map_or(0, |(_, count)| count / 1000);
+        let row: Vec<String> = counts.iter().map(|(_, stop)| of(stop).to_string()).collect();
         println!("{} | {}", purpose.name(), row.join(" | "));
     }
     let all: Vec<String> = counts.iter().map(|(_, stop)| (stop.steps() / 1000).to_string()).collect();

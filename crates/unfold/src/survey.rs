@@ -223,20 +223,24 @@ impl<'a> Survey<'a> {
     /// Starts a curve at every bifurcation that lies on none.
     fn explain(&mut self, events: &[Event], progress: &dyn Progress) {
         for event in events {
-            let Some(kind) = Bifurcation::of(event.condition, self.loops()) else { continue };
             if progress.stopped() {
                 break;
             }
-            if kind == Bifurcation::NonImpactingGrazing {
-                let oscillator = self.net.equations.oscillator_at(&event.solution.unknowns);
-                let [_, phase] = self.net.equations.impact(&event.solution);
-                let orbit = GrazingOrbit::find(&oscillator, phase);
-                if let Ok(orbit) = orbit.or_else(|_| GrazingOrbit::at(oscillator, phase)) {
-                    self.add_grazing(&orbit);
-                }
-            } else if !Purpose::Curves.during(|| explained(self.net, kind, event, self.scope.window)) {
-                Purpose::Curves.during(|| start(self.net, kind, event, &self.route));
+            Purpose::Curves.during(|| self.explain_one(event));
+        }
+    }
+
+    fn explain_one(&mut self, event: &Event) {
+        let Some(kind) = Bifurcation::of(event.condition, self.loops()) else { return };
+        if kind == Bifurcation::NonImpactingGrazing {
+            let oscillator = self.net.equations.oscillator_at(&event.solution.unknowns);
+            let [_, phase] = self.net.equations.impact(&event.solution);
+            let orbit = GrazingOrbit::find(&oscillator, phase);
+            if let Ok(orbit) = orbit.or_else(|_| GrazingOrbit::at(oscillator, phase)) {
+                self.add_grazing(&orbit);
             }
+        } else if !explained(self.net, kind, event, self.scope.window) {
+            start(self.net, kind, event, &self.route);
         }
     }
 

@@ -28,7 +28,6 @@ pub struct Stop(Arc<Shared>);
 #[derive(Debug)]
 struct Shared {
     asked: AtomicBool,
-    steps: AtomicU64,
     by_purpose: [AtomicU64; Purpose::ALL.len()],
     most: u64,
     /// Whether the limit of steps has been lifted.
@@ -55,7 +54,7 @@ impl Stop {
     pub fn after(steps: u64) -> Self {
         let (asked, lifted) = (AtomicBool::new(false), AtomicBool::new(false));
         let by_purpose = core::array::from_fn(|_| AtomicU64::new(0));
-        Self(Arc::new(Shared { asked, steps: AtomicU64::new(0), by_purpose, most: steps, lifted }))
+        Self(Arc::new(Shared { asked, by_purpose, most: steps, lifted }))
     }
 
     /// Cancels the computation.
@@ -78,7 +77,7 @@ impl Stop {
 
     /// The number of steps of integration so far, without the last few of each thread.
     pub fn steps(&self) -> u64 {
-        self.0.steps.load(Ordering::Relaxed)
+        self.by_purpose().map(|(_, count)| count).sum()
     }
 
     /// Whether all steps that were allowed have been made.
@@ -88,8 +87,7 @@ impl Stop {
 
     /// The number of these steps for each purpose.
     pub fn by_purpose(&self) -> impl Iterator<Item = (Purpose, u64)> {
-        let counts = self.0.by_purpose.iter().map(|count| count.load(Ordering::Relaxed));
-        Purpose::ALL.into_iter().zip(counts.collect::<Vec<_>>())
+        Purpose::ALL.into_iter().zip(self.0.by_purpose.iter().map(|count| count.load(Ordering::Relaxed)))
     }
 
     #[inline]
@@ -100,9 +98,7 @@ impl Stop {
             own[purpose].set(steps % LOT);
             if steps == LOT {
                 self.0.by_purpose[purpose].fetch_add(LOT, Ordering::Relaxed);
-                let before = self.0.steps.fetch_add(LOT, Ordering::Relaxed);
-                let reached = before < self.0.most && before.saturating_add(LOT) >= self.0.most;
-                if reached && !self.0.lifted.load(Ordering::Relaxed) {
+                if self.is_used_up() && !self.0.lifted.load(Ordering::Relaxed) {
                     self.ask();
                 }
             }

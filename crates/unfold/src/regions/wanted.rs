@@ -74,22 +74,19 @@ impl Judge {
         pairs.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
-    /// The ends of curves inside the window at which no other curve ends.
-    pub(super) fn loose_ends(&self, lines: &[Vec<Point>]) -> Vec<Point> {
+    /// Values of η beside ends of curves inside the window at which no other curve ends and, if
+    /// requested, half-way from one to the next: a curve is missing there, which may lead to the
+    /// next end.
+    pub(super) fn beside_loose_ends(&self, lines: &[Vec<Point>], to_next: bool) -> Vec<f64> {
         let ends: Vec<Point> =
             lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
         let inside = |[primary, secondary]: Point| {
             let within = |[low, high]: [f64; 2], value: f64| low < value && value < high;
             within(self.window.primary, primary) && within(self.window.secondary, secondary)
         };
-        let is_loose = |end: &&Point| inside(**end) && ends.iter().filter(|other| other == end).count() == 1;
-        ends.iter().filter(is_loose).copied().collect()
-    }
-
-    /// Values of η beside loose ends of curves and, if requested, half-way from one to the next: a
-    /// curve is missing there, which may lead to the next end.
-    pub(super) fn beside_loose_ends(&self, lines: &[Vec<Point>], to_next: bool) -> Vec<f64> {
-        let mut loose: Vec<f64> = self.loose_ends(lines).iter().map(|end| end[1]).collect();
+        let loose =
+            ends.iter().filter(|end| inside(**end) && ends.iter().filter(|other| other == end).count() == 1);
+        let mut loose: Vec<f64> = loose.map(|end| end[1]).collect();
         loose.sort_by(f64::total_cmp);
         let height = self.window.widths()[1];
         let beside = loose.iter().flat_map(|end| BESIDE.map(|share| end + share * height));
@@ -100,28 +97,20 @@ impl Judge {
             .collect()
     }
 
-    /// The curves that fewer than `slices` slices cross.
-    pub(super) fn barely_crossed<'a>(
-        &'a self,
-        lines: &'a [Vec<Point>],
-        slices: u32,
-    ) -> impl Iterator<Item = &'a Vec<Point>> {
-        lines.iter().filter(move |line| {
-            let [low, high] = extent(core::slice::from_ref(line));
-            let inside = self.sights.iter().filter(|it| low < it.secondary && it.secondary < high);
-            inside.count() < slices as usize && high - low >= ALONG * self.window.widths()[1]
-        })
-    }
-
     /// Values of η along curves that fewer than `slices` slices cross, half-way if that is one:
     /// other branches that begin beside them have not been seen.
     pub(super) fn uncrossed(&self, lines: &[Vec<Point>], slices: u32) -> Vec<f64> {
+        let extents = lines.iter().map(|line| extent(core::slice::from_ref(line)));
+        let crossed = |[low, high]: &[f64; 2]| {
+            let inside = self.sights.iter().filter(|it| *low < it.secondary && it.secondary < *high);
+            inside.count() >= slices as usize
+        };
+        let along = |[low, high]: &[f64; 2]| high - low < ALONG * self.window.widths()[1];
         let share = |k: u32| f64::from(k) / f64::from(slices + 1);
-        let levels = self.barely_crossed(lines, slices).flat_map(|line| {
-            let [low, high] = extent(core::slice::from_ref(line));
-            (1..=slices).map(move |k| low + share(k) * (high - low))
-        });
-        levels.collect()
+        extents
+            .filter(|extent| !crossed(extent) && !along(extent))
+            .flat_map(|[low, high]| (1..=slices).map(move |k| low + share(k) * (high - low)))
+            .collect()
     }
 
     /// Values of η at which good solutions are known beside a curve in a face in which no slice

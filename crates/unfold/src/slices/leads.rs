@@ -2,7 +2,7 @@
 //! that cross it, and solutions.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
+use grazing_continuation::curve::{Curve, CurvePoint};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::smooth::Purpose;
@@ -25,8 +25,6 @@ const CLOSER: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
 const BESIDE_DOUBLING: [f64; 3] = [1e-3, 1e-2, 5e-2];
 /// Number of solutions of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
-/// Number of points out of sight, or among violent motion, after which a sketch is abandoned, and a few more.
-const LAST_POINTS: usize = 60;
 
 impl Slicer {
     /// The branches at some η that begin on the grazing curve, or pass it, at its points (z, μ).
@@ -113,7 +111,8 @@ impl Slicer {
         // Most solutions lead to known branches, for which few digits are enough.
         let rough = self.control.sketches().then(|| self.equations.roughly());
         for branch in &from.branches[known..] {
-            let points = in_sight(branch);
+            // Others would lead to pieces of a branch that is abandoned here, too.
+            let points = branch.before_abandoned();
             let every = (points.len() / CARRIED).max(1);
             for point in points.iter().skip(every / 2).step_by(every) {
                 let mut near = point.solution.unknowns;
@@ -223,20 +222,9 @@ impl Slicer {
     }
 }
 
-/// The points of a branch without those for which it was abandoned: solutions carried from there would be
-/// pieces of a branch that the other slice has abandoned, too.
-fn in_sight(branch: &Curve) -> &[CurvePoint] {
-    let points = &branch.points;
-    let abandoned = |end: Option<&CurveEnd>| match end {
-        Some(CurveEnd::Abandoned) => LAST_POINTS.min(points.len() / 2),
-        _ => 0,
-    };
-    &points[abandoned(branch.beginning.as_ref())..points.len() - abandoned(Some(&branch.end))]
-}
-
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::curve::{Event, Window};
+    use grazing_continuation::curve::{CurveEnd, Event, Window};
     use grazing_continuation::mps::Formulation;
     use grazing_model::smooth::{Stop, Units};
 
@@ -269,6 +257,33 @@ mod tests {
             slicer.carry(&between, &mut to);
         }
         assert!(stop.steps() > taken);
+    }
+
+    #[test]
+    fn what_is_far_beyond_the_wall_is_abandoned_and_not_carried_piece_by_piece() {
+        let window = Window { primary: [0.0, 30.0], secondary: [2.3, 6.5] };
+        let description = crate::specimens::unforced("-0.05*v - x - 0.1*x^3 - 1");
+        let oscillator = description.counted([20.0, 3.0], &Units::ONE, &Stop::default());
+        let equations = LoopEquations::new(oscillator.clone(), 4, Formulation::FixedPhase);
+        let slicer = Slicer::new(equations, window, steps(window));
+        let fast = crate::search::at(&oscillator, &[4], 5.0, &Silent);
+        let high = fast.iter().filter(|(_, at)| slicer.equations.solution(at).ceiling() > 5.0);
+        let high: Vec<_> = high.map(|(_, at)| *at).collect();
+        assert!(!high.is_empty(), "{fast:?}");
+        for through in high {
+            let column = slicer.upwards(&through, &EventTimes::default()).expect("it is a curve");
+            let points = column.points.len();
+            assert!(points < 150 && matches!(column.end, CurveEnd::Abandoned), "{points} {:?}", column.end);
+            assert!(column.before_abandoned().len() < points);
+            let mut slices = [3.0, 3.02].map(|secondary| Slice::new(secondary, Vec::new()));
+            slicer.add(&mut slices[0], through, &EventTimes::default(), true);
+            let [from, to] = &mut slices;
+            for _ in 0..5 {
+                slicer.carry(from, to);
+                slicer.carry(to, from);
+            }
+            assert!(from.branches.len() <= 2 && to.branches.len() <= 2, "{}", from.branches.len());
+        }
     }
 
     #[test]
