@@ -4,31 +4,19 @@ use std::path::Path;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::measured::SeenKind;
-use grazing_source::{SourceError, read_file};
-use thiserror::Error;
+use grazing_source::read_file;
 
 use self::cells::Row;
 use self::table::{Request, Table};
 
 mod cells;
+mod columns;
+mod error;
 mod number;
 mod table;
 
-/// An error in a file of measurements.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum MeasurementError {
-    /// The file cannot be read.
-    #[error(transparent)]
-    Unreadable(#[from] SourceError),
-    /// Something in the file is wrong.
-    #[error("{place}: {reason}")]
-    Wrong {
-        /// The file, with the line where there is one.
-        place: String,
-        /// The mistake, and how to correct it.
-        reason: String,
-    },
-}
+pub use columns::{Columns, POINTS, RECORD};
+pub use error::MeasurementError;
 
 /// The behaviour measured at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,37 +72,6 @@ pub struct Series {
     pub impacts: Vec<Impact>,
 }
 
-/// Columns with their meanings; `{primary}` and `{secondary}` stand for the parameters' names in the
-/// oscillator's file.
-pub type Columns = &'static [(&'static str, &'static str)];
-
-/// The columns of a file of places.
-pub const POINTS: Columns = &[
-    ("{primary}", "the primary parameter, under its name in the oscillator's file"),
-    ("{secondary}", "the secondary parameter, likewise"),
-    ("{primary}_error", "its standard error; empty or left out if unknown"),
-    ("{secondary}_error", "its standard error; likewise"),
-    (
-        "seen",
-        "`none` (no impacts), `periodic`, `irregular`, or a bifurcation: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`",
-    ),
-    ("periods", "forcing periods after which periodic motion repeats; for `none`, 1 if empty"),
-    ("impacts", "impacts in these periods"),
-    ("p", "for a bifurcation, the number of loops; empty if unknown"),
-];
-
-/// The columns of a file of impacts.
-pub const RECORD: Columns = &[
-    ("{primary}", "the primary parameter, under its name in the oscillator's file"),
-    ("{secondary}", "the secondary parameter, likewise"),
-    ("series", "a name for a series of consecutive impacts; may be left out if all impacts are consecutive"),
-    ("time", "time of the impact, measured like t in the oscillator's file"),
-    ("velocity_before", "speed before the impact, relative to the wall"),
-    ("velocity_after", "speed after it, relative to the wall; empty or left out if it was not measured"),
-    ("time_error", "standard error of the time; empty or left out if unknown"),
-    ("velocity_error", "standard error of the speeds; likewise"),
-];
-
 /// The layout of another program's file of curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Foreign {
@@ -124,13 +81,6 @@ pub struct Foreign {
     /// The kind of curve and the number of loops for files without a column for them.
     pub curve: Option<(Bifurcation, Option<u32>)>,
 }
-
-/// The greatest number of rows: more than are measured by hand or needed for curves.
-const MOST_ROWS: usize = 10_000;
-/// The greatest number of characters of a value that a message repeats.
-const SHOWN: usize = 60;
-/// The greatest number of forcing periods, or of impacts in them, that a cell may state.
-const MOST_PERIODS: u32 = 1_000;
 
 /// The measurements in a file, with the names of both parameters.
 ///

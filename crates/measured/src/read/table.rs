@@ -3,8 +3,16 @@
 use grazing_source::{nearest, shortened, suggestion};
 
 use super::cells::{Mistake, Row, Rows, Separator};
+use super::columns::Columns;
+use super::error::MeasurementError;
 use super::number::{self, Decimal};
-use super::{Columns, MOST_PERIODS, MOST_ROWS, MeasurementError, SHOWN};
+
+/// The greatest number of rows: more than are measured by hand or needed for curves.
+const MOST_ROWS: usize = 10_000;
+/// The greatest number of characters of a value that a message repeats.
+const SHOWN: usize = 60;
+/// The greatest number of forcing periods, or of impacts in them, that a cell may state.
+const MOST_PERIODS: u32 = 1_000;
 
 /// A CSV file, split into cells.
 pub(super) struct Table<'t> {
