@@ -6,9 +6,9 @@ use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 use crate::answer::{Problem, Sheet};
-use crate::diagram::Kept;
 use crate::events::{self, Clock, Events, Listener};
 use crate::figure::{ExportRequest, Seen};
+use crate::kept::Kept;
 use crate::model::Model;
 use crate::place::PlaceRequest;
 use crate::{cut, diagram, exact, follow, measured, place, tiles};

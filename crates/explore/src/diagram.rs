@@ -1,7 +1,6 @@
 //! The two-parameter diagram, sent while it is computed.
 
-use std::collections::{BTreeMap, VecDeque};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::collections::BTreeMap;
 
 use grazing_analysis::along::forgotten;
 use grazing_analysis::nothing::Nothing;
@@ -37,52 +36,32 @@ pub(crate) struct DiagramRequest {
     coarse: bool,
 }
 
-/// A diagram, with the names and units of its axes.
-pub(crate) type OnAxes = Arc<(Axes, Diagram)>;
-/// Diagrams by model and view, newest first.
-type Last = VecDeque<(String, OnAxes)>;
-
-/// The diagrams that were computed last with all their regions: measurements are compared with them.
-pub(crate) struct Kept(Mutex<Last>);
-
-impl Kept {
-    /// The number of diagrams.
-    const MOST: usize = 2;
-
-    pub(crate) const fn none() -> Self {
-        Self(Mutex::new(VecDeque::new()))
+/// The diagram of a view with all its regions, which is not computed again if it was among the last.
+pub(crate) fn known(
+    model: &Model,
+    view: &View,
+    events: &Events,
+    stop: &Stop,
+) -> Result<(Axes, Diagram), Problem> {
+    let of = model.prepared(Some(view), stop)?;
+    let axes = of.axes.clone();
+    if let Some(kept) = events.kept.find(model, view) {
+        return Ok((axes, Diagram { oscillator: of.oscillator, ..kept }));
     }
-
-    fn all(&self) -> MutexGuard<'_, Last> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    let diagram = whole(of, events)?;
+    if stop.is_asked() {
+        return Err(Problem::ended());
     }
-
-    fn key(model: &Model, view: &View) -> String {
-        json!([model, view]).to_string()
-    }
-
-    fn add(&self, key: String, axes: Axes, diagram: Diagram) -> OnAxes {
-        let kept = Arc::new((axes, diagram));
-        let mut all = self.all();
-        all.retain(|(other, _)| *other != key);
-        all.push_front((key, kept.clone()));
-        all.truncate(Self::MOST);
-        kept
-    }
+    events.kept.add(model, view, diagram.clone());
+    Ok((axes, diagram))
 }
 
-/// The diagram of a view with all its regions, computed if it is not among the last.
-pub(crate) fn whole(model: &Model, view: &View, events: &Events, stop: &Stop) -> Result<OnAxes, Problem> {
-    let key = Kept::key(model, view);
-    let known = events.kept.all().iter().find(|(other, _)| *other == key).map(|(_, kept)| kept.clone());
-    if let Some(kept) = known {
-        return Ok(kept);
-    }
-    let Prepared { oscillator, scope, asked, axes } = model.prepared(Some(view), stop)?;
-    let located = located((&oscillator, &scope), &axes, events)?.asking_for(asked);
-    let followed = located.follow(events, &|_, _| ());
-    let diagram = located.with(followed, events);
-    if stop.is_asked() { Err(Problem::ended()) } else { Ok(events.kept.add(key, axes, diagram)) }
+/// The diagram with all its regions.
+pub(crate) fn whole(of: Prepared, progress: &dyn Progress) -> Result<Diagram, Problem> {
+    let Prepared { oscillator, scope, asked, axes } = of;
+    let located = located((&oscillator, &scope), &axes, progress)?.asking_for(asked);
+    let followed = located.follow(progress, &|_, _| ());
+    Ok(located.with(followed, progress))
 }
 
 /// The kind of curves that a file asks for.
@@ -172,7 +151,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         events.send("nothing", &json!({"found": found, "question": question}));
     }
     if !(*coarse || stop.is_asked()) {
-        events.kept.add(Kept::key(model, view), axes, diagram);
+        events.kept.add(model, view, diagram);
     }
     Ok(())
 }

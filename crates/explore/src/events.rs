@@ -11,7 +11,7 @@ use serde_json::json;
 
 use crate::answer::Problem;
 use crate::asked::Told;
-use crate::diagram::Kept;
+use crate::kept::Kept;
 
 /// The shortest interval between reports of progress.
 const PAUSE: Duration = Duration::from_millis(80);

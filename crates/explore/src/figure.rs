@@ -10,14 +10,13 @@ use grazing_results::branches::OneParameter;
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{PlaneDiagram, StraightenedCurves};
-use grazing_unfold::Diagram;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use serde::Deserialize;
 
 use crate::answer::Problem;
 use crate::cut::CutLine;
-use crate::diagram::located;
+use crate::diagram::{located, whole};
 use crate::measured::Measured;
 use crate::model::{Model, View};
 use crate::place;
@@ -108,7 +107,7 @@ impl Seen {
         let names = of.axes.names.clone();
         let figure = match wanted {
             Wanted::Plane => {
-                let (axes, diagram) = (of.axes.clone(), diagram(of, progress)?);
+                let (axes, diagram) = (of.axes.clone(), whole(of, progress)?);
                 let compared =
                     measured.map(|rig| rig.beside(model, (&axes, &diagram), progress, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
@@ -132,13 +131,6 @@ impl Seen {
         };
         if stop.is_asked() { Err(Problem::ended()) } else { Ok(Self { name, names, figure }) }
     }
-}
-
-fn diagram(of: Prepared, progress: &dyn Progress) -> Result<Diagram, Problem> {
-    let Prepared { oscillator, scope, asked, axes } = of;
-    let located = located((&oscillator, &scope), &axes, progress)?.asking_for(asked);
-    let followed = located.follow(progress, &|_, _| ());
-    Ok(located.with(followed, progress))
 }
 
 fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<StraightenedCurves, Problem> {

@@ -13,6 +13,7 @@
 //! | `model` | from a request to an oscillator |
 //! | `diagram`, `place`, `exact`, `cut`, `tiles` | the computations that can be requested |
 //! | `follow` | the curve through a solution |
+//! | `kept` | the last diagrams |
 //! | `measured` | measurements as they are read, and beside the diagram |
 //! | `figure` | exported figures |
 //! | `kinds` | the looks of kinds of curves, for the page |
@@ -41,6 +42,7 @@ mod figure;
 #[cfg(feature = "server")]
 mod files;
 mod follow;
+mod kept;
 #[cfg(feature = "server")]
 mod kinds;
 mod measured;

@@ -37,22 +37,17 @@ pub(crate) struct CompareRequest {
 }
 
 impl Measured {
-    /// What `read` makes of the text with the names of the parameters.
+    /// The measurements, and the columns that hold them.
     ///
     /// # Errors
     /// The first mistake in the file.
-    fn read<T>(
-        &self,
-        model: &Model,
-        read: fn(&str, &str, [&str; 2]) -> Result<T, read::MeasurementError>,
-        stop: &Stop,
-    ) -> Result<T, Problem> {
+    fn read(&self, model: &Model, stop: &Stop) -> Result<(Vec<Observation>, Vec<String>), Problem> {
         let description = model.description(None, stop)?;
         let own = [description.primary().name(), description.secondary().name()];
         // The paper's oscillator has other names than the text that describes it.
         let paper = Axes::of_the_paper().names;
         let names = if model.text.is_some() { own } else { [&*paper.primary, &*paper.secondary] };
-        read(&self.text, &self.name, names).map_err(|error| Problem::wrong(error.to_string()))
+        read::points_of(&self.text, &self.name, names).map_err(|error| Problem::wrong(error.to_string()))
     }
 
     /// Compares the measurements in the view with the diagram there, and counts those that lie outside.
@@ -66,7 +61,7 @@ impl Measured {
         progress: &dyn Progress,
         stop: &Stop,
     ) -> Result<(Comparison, usize), Problem> {
-        let all = self.read(model, read::points_of, stop)?;
+        let (all, _) = self.read(model, stop)?;
         let window = diagram.scope.window;
         let seen = |one: &Observation| {
             let [primary, secondary] = one.at;
@@ -89,19 +84,15 @@ pub(crate) fn read(request: &ReadRequest, stop: &Stop) -> Result<Value, Problem>
             "seen": one.seen.words(),
         })
     };
-    let points = measured.read(model, read::points_of, stop)?;
-    Ok(json!({
-        "points": points.iter().map(point).collect::<Vec<_>>(),
-        "columns": measured.read(model, read::columns_of, stop)?,
-    }))
+    let (points, columns) = measured.read(model, stop)?;
+    Ok(json!({ "points": points.iter().map(point).collect::<Vec<_>>(), "columns": columns }))
 }
 
 /// Compares measurements with the diagram of a view, which is not computed again if it was among the last.
 pub(crate) fn compute(request: &CompareRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let CompareRequest { model, view, measured } = request;
-    let kept = diagram::whole(model, view, events, stop)?;
-    let (axes, diagram) = &*kept;
-    events.send("measured", &told(&measured.beside(model, (axes, diagram), events, stop)?));
+    let (axes, diagram) = diagram::known(model, view, events, stop)?;
+    events.send("measured", &told(&measured.beside(model, (&axes, &diagram), events, stop)?));
     Ok(())
 }
 

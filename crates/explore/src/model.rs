@@ -24,7 +24,7 @@ pub struct Model {
 }
 
 /// A view of the plane, in the oscillator's own units.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct View {
     /// The range of the primary parameter.
     pub primary: [f64; 2],

@@ -21,8 +21,8 @@ use tokio::time::{interval, timeout};
 
 use crate::answer::Problem;
 use crate::asked::{self, Asked, Export, Weight};
-use crate::diagram::Kept;
 use crate::files::{self, Example};
+use crate::kept::Kept;
 
 mod guard;
 mod patient;

@@ -87,7 +87,7 @@ pub struct Foreign {
 /// # Errors
 /// The file cannot be read; otherwise the first mistake in it.
 pub fn points(path: &Path, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
-    points_of(&read_file(path)?, &path.display().to_string(), names)
+    Ok(points_of(&read_file(path)?, &path.display().to_string(), names)?.0)
 }
 
 /// The record of impacts in a file, with the names of both parameters.
@@ -110,27 +110,22 @@ pub fn curves(
     curves_of(&read_file(path)?, &path.display().to_string(), names, foreign)
 }
 
-/// The measurements in a text; `file` is the file's name in messages.
+/// The measurements in a text, and the columns that hold them, by their names in [`POINTS`]; `file` is the
+/// file's name in messages.
 ///
 /// # Errors
 /// The first mistake in the text.
-pub fn points_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
-    let table = Table::read(text, &places(file, names))?;
-    table.rows.iter().map(|row| table.observation(row, None)).collect()
-}
-
-/// The columns of a text of measurements that are read, by their names in [`POINTS`].
-///
-/// # Errors
-/// As [`points_of`].
-pub fn columns_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<String>, MeasurementError> {
-    Ok(Table::read(text, &places(file, names))?.names().collect())
-}
-
-/// The request for the places of a text of measurements.
-fn places<'t>(file: &'t str, names: [&'t str; 2]) -> Request<'t> {
+pub fn points_of(
+    text: &str,
+    file: &str,
+    names: [&str; 2],
+) -> Result<(Vec<Observation>, Vec<String>), MeasurementError> {
     let needed = &["{primary}", "{secondary}", "seen"];
-    Request { file, names, columns: POINTS, needed, renamed: &[], foreign: false, separated: true }
+    let request =
+        Request { file, names, columns: POINTS, needed, renamed: &[], foreign: false, separated: true };
+    let table = Table::read(text, &request)?;
+    let points = table.rows.iter().map(|row| table.observation(row, None)).collect::<Result<_, _>>()?;
+    Ok((points, table.names().collect()))
 }
 
 /// The points of another program's curves in a text.

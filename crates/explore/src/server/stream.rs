@@ -16,8 +16,8 @@ use super::response::{self, Body};
 use super::turns::{self, Begun, Cause, StopOnDrop, Turns};
 use crate::answer::Problem;
 use crate::asked::{EVENTS, Told, Weight};
-use crate::diagram::Kept;
 use crate::events;
+use crate::kept::Kept;
 
 /// The most events that wait for a slow reader; the computation then waits, too.
 const WAITING: usize = 64;

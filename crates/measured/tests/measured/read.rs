@@ -13,7 +13,8 @@ fn refused(text: &str) -> String {
 fn places_are_read_as_they_are_written() {
     let text = "\u{feff}# a rig\nomega, A ,A_error,seen,periods,impacts,p\n0.8,0.25,0.01,none,,,\n\n\
                 0.8,\"0.3\",,periodic,6,3,\n0.8,0.4,0,SN,,,2\r\n0.8,0.5,,irregular,,,\n";
-    let read = points_of(text, "rig.csv", NAMES).unwrap();
+    let (read, columns) = points_of(text, "rig.csv", NAMES).unwrap();
+    assert_eq!(columns, ["omega", "A", "A_error", "seen", "periods", "impacts", "p"]);
     let seen: Vec<String> = read.iter().map(|one| format!("{} {}", one.line, one.seen.words())).collect();
     assert_eq!(seen, ["3 no impacts", "5 3 impacts in 6 periods", "6 SN of p = 2", "7 irregular"]);
     assert_eq!((read[0].at, read[0].errors), ([0.25, 0.8], [0.01, 0.0]));
@@ -44,7 +45,7 @@ fn columns_of_another_program_are_found_by_the_names_that_are_given() {
 
 /// The places and what was seen there.
 fn read(text: &str) -> Vec<(f64, f64, String)> {
-    let read = points_of(text, "rig.csv", NAMES).unwrap_or_else(|error| panic!("{error}"));
+    let (read, _) = points_of(text, "rig.csv", NAMES).unwrap_or_else(|error| panic!("{error}"));
     read.iter().map(|one| (one.at[0], one.at[1], one.seen.words())).collect()
 }
 

@@ -74,22 +74,30 @@ fn measurements_in_the_view_are_held_against_what_is_computed_and_mistakes_have_
         (events(&stream, "measured")[0].clone(), begun("regions"))
     };
     let head = "amplitude,omega,seen,periods,impacts\n";
-    let text = format!("{head}0.05,0.8,none,,\n0.9,0.8,periodic,1,1\n0.05,0.8,periodic,1,1\n5,0.8,none,,\n");
-    // The diagram is computed where it is not known, and then kept.
-    let (told, _) = measured(&text);
+    let text = format!(
+        "{head}0.05,0.8,none,,\n0.9,0.8,periodic,1,1\n0.05,0.8,periodic,1,1\n0.9,0.8,irregular,,\n5,0.8,none,,\n"
+    );
+    // The diagram is computed where it is not known, and then kept; motion is simulated beside it all the same.
+    let (told, is_computed) = measured(&text);
+    assert!(is_computed);
     assert_eq!(measured(&text), (told.clone(), false));
     let verdicts: Vec<&Value> =
         told["points"].as_array().unwrap().iter().map(|one| &one["agreement"]).collect();
-    assert_eq!(verdicts, ["agrees", "agrees", "disagrees"]);
+    assert_eq!(verdicts, ["agrees", "agrees", "disagrees", "undecided"]);
+    let simulated = &told["points"][3]["reason"];
+    assert!(
+        simulated.as_str().unwrap().contains("8 simulated states reach: 1 impacts in 1 periods"),
+        "{simulated}"
+    );
     assert_eq!(told["outside"], 1);
     let counts = told["counts"].as_array().unwrap();
     let sum = |place: usize| counts.iter().map(|count| number(&count["counts"][place])).sum::<f64>();
     // A place in two regions is counted in each.
-    assert!(sum(0) >= 3.0 && sum(0) == sum(1) + sum(3), "{told}");
+    assert!(sum(0) >= 4.0 && sum(0) == sum(1) + sum(3) + sum(4), "{told}");
     // What is in the file is told without it.
     let read = answered(&server, "measured", &body(&text));
     let lines: Vec<f64> = read["points"].as_array().unwrap().iter().map(|one| number(&one["line"])).collect();
-    assert_eq!(lines, [2.0, 3.0, 4.0, 5.0]);
+    assert_eq!(lines, [2.0, 3.0, 4.0, 5.0, 6.0]);
     assert_eq!(read["points"][1]["seen"], "1 impact in 1 period");
     assert_eq!(read["columns"], json!(["amplitude", "omega", "seen", "periods", "impacts"]));
     let wrong = body(&format!("{head}0.05,0.8,nothing,,\n")).to_string();
