@@ -1,53 +1,20 @@
 //! Least squares: constants of an oscillator for which curves run through measured bifurcations, and
 //! orbits through measured impacts.
 //!
-//! The residual of a bifurcation is its distance in standard errors from the nearest point of the curve
-//! of its kind. The residuals of a series of impacts are those of times and speeds on the orbit that
-//! begins with the first impact; the true time and speed of that impact are unknowns as well, so an error
-//! in one impact is not counted again in the next. The method is that of Levenberg and Marquardt
-//! (MINPACK's, in the version of CMPFIT); the covariance is that of the linearised problem, (JᵀJ)⁻¹.
+//! The method is that of Levenberg and Marquardt (MINPACK's, in the version of CMPFIT); the covariance is that of
+//! the linearised problem, (JᵀJ)⁻¹.
 
-use grazing_continuation::arclength::CurveEquations;
-use grazing_continuation::curve::{SolutionCurve, Window};
-use grazing_continuation::mps::{Formulation, LoopEquations, Unknowns, unknown};
-use grazing_continuation::newton;
-use grazing_model::maps::MapError;
-use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
-use grazing_unfold::non_impacting;
+use grazing_continuation::curve::Window;
+use grazing_model::AnyOscillator;
 use rayon::prelude::*;
 use rmpfit::{MPConfig, MPError, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 use thiserror::Error;
 
-use crate::associate::Located;
+use crate::residuals::{Computed, Datum};
 
 /// The oscillator with these values of the constants, dimensionless, in units that do not depend on the
 /// constants; none where it does not exist.
 pub type Rig<'a> = &'a (dyn Fn(&[f64]) -> Option<AnyOscillator> + Sync);
-
-/// Consecutive impacts, dimensionless.
-#[derive(Clone, Debug)]
-pub struct Segment {
-    /// Primary and secondary parameter.
-    pub at: [f64; 2],
-    /// The lines of the file, one for each impact.
-    pub lines: Vec<u32>,
-    /// Time, speed before and speed after each impact; a quantity that was not measured is NaN.
-    pub impacts: Vec<[f64; 3]>,
-    /// The standard errors of time, speed before and speed after; NaN where none is stated.
-    pub errors: Vec<[f64; 3]>,
-    /// The standard errors that are assumed where none is stated.
-    pub assumed: [f64; 3],
-}
-
-/// A measured datum.
-#[derive(Clone, Debug)]
-pub enum Datum {
-    /// A bifurcation in the parameter plane.
-    Bifurcation(Box<Located>),
-    /// A series of impacts.
-    Impacts(Segment),
-}
 
 /// The constants with the least sum of squares.
 #[derive(Clone, Debug)]
@@ -126,180 +93,8 @@ const STEP: f64 = 1e-5;
 const FAILED: f64 = 1e6;
 /// The greatest number of steps of the method; about five are usual.
 const MOST_STEPS: usize = 60;
-/// Accuracy of the nearest point of a curve, as a fraction of a standard error or of the distance; the
-/// error of the distance is the square of this.
-const FOOT: f64 = 1e-5;
-/// The greatest number of evaluations of Newton's method, which usually takes five.
-const EVALUATIONS: usize = 30;
-/// The longest and the shortest step along a curve towards the nearest point, dimensionless.
-const LONGEST: f64 = 0.1;
-const SHORTEST: f64 = 1e-9;
-/// A solution farther than this (dimensionless) from the previous one is a different solution.
-const ANOTHER: f64 = 0.5;
 /// The relative accuracy of the sum of squares and of the unknowns, far below any error of measurement.
 const TOLERANCE: f64 = 1e-9;
-
-impl Datum {
-    /// The line of the datum in the file; for a series, the first line.
-    pub(crate) fn line(&self) -> u32 {
-        match self {
-            Self::Bifurcation(located) => located.line,
-            Self::Impacts(segment) => segment.lines.first().copied().unwrap_or(0),
-        }
-    }
-
-    /// The measured values of the unknowns that belong to this datum alone.
-    fn own(&self) -> Vec<f64> {
-        match self {
-            Self::Bifurcation(_) => Vec::new(),
-            Self::Impacts(segment) => segment.impacts[0][..2].to_vec(),
-        }
-    }
-
-    /// Line and name of each residual, in the order of [`residuals`](Self::residuals).
-    pub(crate) fn quantities(&self) -> Vec<(u32, String)> {
-        match self {
-            Self::Bifurcation(located) => vec![(located.line, located.quantity.clone())],
-            Self::Impacts(segment) => {
-                let names = ["time", "velocity_before", "velocity_after"];
-                let of = |(impact, line): (&[f64; 3], &u32)| {
-                    let known = impact.iter().zip(names).filter(|(value, _)| !value.is_nan());
-                    known.map(|(_, name)| (*line, name.to_owned())).collect::<Vec<_>>()
-                };
-                segment.impacts.iter().zip(&segment.lines).flat_map(of).collect()
-            }
-        }
-    }
-
-    fn count(&self) -> usize {
-        match self {
-            Self::Bifurcation(_) => 1,
-            Self::Impacts(segment) => {
-                segment.impacts.iter().flatten().filter(|value| !value.is_nan()).count()
-            }
-        }
-    }
-
-    /// The residuals of the datum in standard errors and, for a bifurcation, the solution on the curve.
-    fn residuals(&self, oscillator: &AnyOscillator, window: Window, own: &[f64]) -> Option<Computed> {
-        match self {
-            Self::Bifurcation(located) => {
-                let found = located.foot(oscillator, window)?;
-                Some((vec![located.residual(&found)], Some(found)))
-            }
-            Self::Impacts(segment) => Some((segment.residuals(oscillator, [own[0], own[1]])?, None)),
-        }
-    }
-}
-
-impl Located {
-    /// The point of the curve nearest to the measured place, and the direction of the curve there.
-    fn foot(&self, oscillator: &AnyOscillator, window: Window) -> Option<[Unknowns; 2]> {
-        let equations = match self.loops {
-            0 => non_impacting::equations(oscillator, window),
-            loops => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase),
-        };
-        let curve = SolutionCurve { equations, condition: self.condition };
-        // Newton's method with steps of least norm; it also returns the direction of the curve at the
-        // solution.
-        let onto = |near: Unknowns, mut along: Unknowns| {
-            let mut times = self.times.clone();
-            let found = newton::solve(near, EVALUATIONS, |point| {
-                let system = curve.evaluate(point, &mut times).map_err(Some)?;
-                let null = system.bordered(0.0, &along).jacobian.lu().solve(&Unknowns::w());
-                along = null.ok_or(None)?.normalize();
-                Ok::<_, Option<MapError>>(system.bordered(0.0, &along))
-            });
-            found.ok().map(|found| (found.point, along))
-        };
-        let [near, along] = self.near;
-        let (mut at, mut along) = onto(near, along)?;
-        // The last step, and the remaining distance that was estimated before it.
-        let mut last: Option<[f64; 2]> = None;
-        for _ in 0..MOST_STEPS {
-            let plane = [unknown::PRIMARY, unknown::SECONDARY].map(|place| along[place]);
-            let plane = [0, 1].map(|k| plane[k] / self.metric.scales[k]);
-            let (gap, square) = (self.gap(&at), plane[0] * plane[0] + plane[1] * plane[1]);
-            let straight = -(gap[0] * plane[0] + gap[1] * plane[1]) / square;
-            let least = FOOT * (1.0 + length(gap));
-            if straight.abs() * square.sqrt() <= least {
-                let near = (at - near).norm() < ANOTHER;
-                return near.then_some([at, along]);
-            }
-            // Where the curve bends, the distance along its tangent is too long or too short; the last
-            // step shows by how much.
-            let slope = last.map_or(-1.0, |[step, before]| (straight - before) / step);
-            let mut step = if slope < 0.0 { -straight / slope } else { straight };
-            step = step.clamp(-LONGEST, LONGEST);
-            (at, along) = loop {
-                match onto(at + along * step, along) {
-                    Some(next) if length(self.gap(&next.0)) < length(gap) + least => break next,
-                    _ if step.abs() < SHORTEST => return None,
-                    _ => step *= 0.5,
-                }
-            };
-            last = Some([step, straight]);
-        }
-        None
-    }
-
-    /// The difference from the measured place to a point, in standard errors.
-    fn gap(&self, point: &Unknowns) -> [f64; 2] {
-        self.metric.counted(self.at, [point[unknown::PRIMARY], point[unknown::SECONDARY]])
-    }
-
-    /// The distance from the curve, in standard errors, with a sign for the side.
-    fn residual(&self, [at, along]: &[Unknowns; 2]) -> f64 {
-        let [primary, secondary] = self.gap(at);
-        let scales = self.metric.scales;
-        let tangent = [along[unknown::PRIMARY] / scales[0], along[unknown::SECONDARY] / scales[1]];
-        (tangent[0] * secondary - tangent[1] * primary) / length(tangent)
-    }
-}
-
-fn length([one, other]: [f64; 2]) -> f64 {
-    (one * one + other * other).sqrt()
-}
-
-impl Segment {
-    /// The residuals of the series if the first impact has this time and speed.
-    fn residuals(&self, oscillator: &AnyOscillator, [time, speed]: [f64; 2]) -> Option<Vec<f64>> {
-        let here = oscillator.with_parameters(self.at);
-        if !(speed > 0.0 && time.is_finite()) {
-            return None;
-        }
-        let first = State::on_wall(speed, here.forcing_frequency().value * time);
-        let count = self.impacts.len();
-        // Twice the measured duration: anything later belongs to another orbit.
-        let horizon = 2.0 * (self.impacts[count - 1][0] - self.impacts[0][0]) + here.forcing_period();
-        let flights = Orbit::new(&here, first, horizon, count);
-        let struck = flights.filter_map(|flight| match flight.end {
-            FlightEnd::Impact(state) => Some((flight.start + flight.duration, state)),
-            FlightEnd::TimeIsUp(_) => None,
-        });
-        let mut left = Vec::with_capacity(self.count());
-        let mut seen = 0;
-        for ((measured, errors), (after, state)) in
-            self.impacts.iter().zip(&self.errors).zip([(0.0, first)].into_iter().chain(struck))
-        {
-            let recoil = here.reset::<0>(OnWall::new(state.velocity, state.phase)).image();
-            let computed = [time + after, state.velocity, -recoil.velocity];
-            let numbers = (0..3).filter(|k| !measured[*k].is_nan());
-            let error = |k: usize| if errors[k].is_nan() { self.assumed[k] } else { errors[k] };
-            left.extend(numbers.map(|k| (computed[k] - measured[k]) / error(k)));
-            seen += 1;
-        }
-        (seen == count && left.iter().all(|value| value.is_finite())).then_some(left)
-    }
-
-    fn count(&self) -> usize {
-        self.impacts.iter().flatten().filter(|value| !value.is_nan()).count()
-    }
-}
-
-/// The residuals of a datum in standard errors and, for a bifurcation, the point of the curve with the
-/// direction.
-type Computed = (Vec<f64>, Option<[Unknowns; 2]>);
 
 /// The least-squares problem in the form that the method expects.
 struct Problem<'a> {

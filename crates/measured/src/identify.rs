@@ -11,8 +11,9 @@ use grazing_unfold::{Diagram, Scope, UnfoldError};
 use thiserror::Error;
 
 use crate::associate::associate;
-use crate::fit::{Datum, Fit, FitError, Rig, Segment, Weight, fit};
+use crate::fit::{Fit, FitError, Rig, Weight, fit};
 use crate::read::{Observation, Seen, Series};
+use crate::residuals::{Datum, Segment};
 
 /// All measurements for an identification.
 #[derive(Clone, Debug, Default)]

@@ -11,9 +11,11 @@ mod compare;
 mod fit;
 mod identify;
 pub mod read;
+mod residuals;
 
 pub use associate::{Located, associate};
 pub use compare::{Apart, NOT_FINISHED, apart, compare};
-pub use fit::{Datum, Fit, FitError, Rig, Segment, Weight, fit};
+pub use fit::{Fit, FitError, Rig, Weight, fit};
 pub use identify::{IdentifyError, Measurements, Task, identify};
 pub use read::{MeasurementError, Observation, Seen, Series};
+pub use residuals::{Datum, Segment};
