@@ -192,12 +192,14 @@ fn question(description: &Description, parameters: [f64; 2]) -> String {
     };
     let of = |frequency: f64| brief(frequency / scale, 3);
     let free = match natural > 0.0 {
-        true => format!("Free motion there has a frequency of {}{unit}", of(natural)),
-        false => "Nothing drives the oscillator back to rest there".to_owned(),
+        true => format!("Free motion there has a frequency of {}{unit}, and the forcing", of(natural)),
+        false => {
+            "Nothing drives the oscillator back to rest there, and the forcing has a frequency of".to_owned()
+        }
     };
     let [low, high] = description.forcing_frequencies().map(of);
     format!(
-        "{free}, and the forcing {low} to {high}{unit}{end}: is that meant, and is everything in coherent units (kg with N and m, not g \
+        "{free} {low} to {high}{unit}{end}: is that meant, and is everything in coherent units (kg with N and m, not g \
          or mm)?"
     )
 }

@@ -40,7 +40,7 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
     let points = points.map_err(|error| Failure::input(error.to_string()))?;
     arguments.threads.start()?;
     limits::listen();
-    let (unfolded, met) = analyse(&of, &Watch::begin(of.description.limits(), of.taken), &|_| ())?;
+    let (unfolded, met) = analyse(&of, Watch::begin(of.description.limits(), of.taken), &|_| ())?;
     if met.is_some() {
         return Err(ended(oscillator, met, "nothing was compared"));
     }

@@ -154,9 +154,10 @@ impl Task {
         terminal::say(&listing::oscillator(layout, description, file));
         let keeper = Keeper::new(&self.folder);
         let of_analysis = Watch::begin(self.limits, self.of.taken);
+        let motion = of_analysis.stop();
         // The time of the analysis is not available for the comparison.
         let watch = Watch::begin(self.limits, self.of.taken);
-        let (unfolded, met) = analyse(&self.of, &of_analysis, &|table| keeper.keep(table))?;
+        let (unfolded, met) = analyse(&self.of, of_analysis, &|table| keeper.keep(table))?;
         let progress = Display::counting(watch.stop());
         let progress: &dyn Progress = &progress;
         let compared = self
@@ -188,7 +189,7 @@ impl Task {
         terminal::say(&places::listing(layout, &analysed.places, missing, &unfolded.axes.names));
         if explain {
             terminal::say(&explanation::all(layout, description, unfolded));
-            terminal::say(&explanation::steps(layout, of_analysis.stop().by_purpose()));
+            terminal::say(&explanation::steps(layout, motion.by_purpose()));
         }
         terminal::say(&format!("\n{}", summary(&written)));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));

@@ -109,4 +109,7 @@ fn free_and_forced_frequencies_stand_beside_each_other_with_the_question_whether
             "{words}"
         );
     }
+    let words = told(&no_grazing([-0.3, 3.4]), &file("2*x + r", "0.9"));
+    let question = "Nothing drives the oscillator back to rest there, and the forcing has a frequency of 0.5 to 0.95, in";
+    assert!(words.contains(question), "{words}");
 }

@@ -47,7 +47,7 @@ impl OscillatorFile {
         link: Option<&str>,
     ) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
         // Finished curves are not kept: the page takes little time.
-        let (unfolded, met) = analyse(self, &Watch::begin(self.description.limits(), self.taken), &|_| ())?;
+        let (unfolded, met) = analyse(self, Watch::begin(self.description.limits(), self.taken), &|_| ())?;
         let outcome = "the unfinished parts are named on the page";
         let met = met.map(|met| ended(&self.file, Some(met), outcome));
         let analysed = AnalysedOscillator::new(&self.file, &self.description, unfolded);

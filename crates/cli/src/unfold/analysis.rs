@@ -13,18 +13,19 @@ use crate::progress::Display;
 pub(crate) use crate::outputs::oscillator::Analysis;
 
 /// Analyses an oscillator up to the limits of a watch, which include the reading of its file; returns also the
-/// cause that ended the analysis, if anything is missing.
+/// cause that ended the analysis, if anything is missing. The watch ends with the analysis, so that motion of the
+/// oscillator goes on afterwards.
 ///
 /// # Errors
 /// There is nothing to unfold.
 pub(crate) fn analyse(
     of: &OscillatorFile,
-    watch: &Watch,
+    watch: Watch,
     keep: Keep<'_>,
 ) -> Result<(Analysis, Option<EndCause>), Failure> {
     let display = Display::counting(watch.stop());
     let prepared = Prepared::new(&of.description, axes(&of.description), &watch.stop());
-    analyse_prepared(of, prepared, watch, &display, keep)
+    analyse_prepared(of, prepared, &watch, &display, keep)
 }
 
 /// Analyses a prepared oscillator as [`analyse`] does, with a given watch and receiver of progress.

@@ -20,6 +20,7 @@ mod family;
 mod folder;
 mod help;
 mod journal;
+mod limits;
 mod measured;
 mod motion;
 mod mutations;

@@ -5,8 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::program::{DEFAULT, DEFAULT_SIGNALS, project, started};
-use crate::unfold::wait_until;
+use crate::program::{DEFAULT, DEFAULT_SIGNALS, project, started, wait_until};
 
 /// Starts the program behind another one, and sends it a signal as soon as it computes; returns the
 /// exit code and the messages.

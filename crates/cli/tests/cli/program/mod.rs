@@ -99,6 +99,13 @@ pub(crate) fn watched<T>(run: &mut Child, mut look: impl FnMut(&mut Child) -> Op
     None
 }
 
+/// Waits until a running program has done something.
+pub(crate) fn wait_until(run: &mut Child, what: &str, is_done: impl Fn() -> bool) {
+    let ended = |run: &mut Child| run.try_wait().expect("it is ours").is_some();
+    let seen = watched(run, |run| if is_done() { Some(true) } else { ended(run).then_some(false) });
+    assert_eq!(seen, Some(true), "it ended before, or never did: {what}");
+}
+
 /// The exit code of a run, if it ends with one.
 pub(crate) fn end(run: &mut Child) -> Option<Option<i32>> {
     watched(run, |run| run.try_wait().expect("it is ours").map(|status| status.code()))
@@ -112,6 +119,20 @@ pub(crate) fn repository() -> PathBuf {
 /// An empty folder that is deleted with the value.
 pub(crate) fn empty_folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("a temporary folder can be made")
+}
+
+/// A folder with files.
+pub(crate) fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = empty_folder();
+    for (name, text) in files {
+        fs::write(folder.path().join(name), text).expect("the folder is ours");
+    }
+    folder
+}
+
+/// The text of a file in a folder.
+pub(crate) fn read(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 /// A folder like the repository's root, with these default parameters and nothing else.
