@@ -42,5 +42,5 @@ mod table;
 pub use cell::{Cell, Stability, brief};
 pub use columns::Column;
 pub use frame::{Frame, span};
-pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol};
+pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol, with_unit};
 pub use table::{Row, Table, TablePlan, Tables};

@@ -110,6 +110,11 @@ pub fn raised(unit: &str) -> String {
     text
 }
 
+/// A title with its unit, if that has a name.
+pub fn with_unit(title: &str, unit: Option<&str>) -> String {
+    unit.map_or(title.to_owned(), |unit| format!("{title} ({unit})"))
+}
+
 impl Names {
     /// Names as they are in a file.
     pub fn new(primary: &str, secondary: &str) -> Self {
@@ -173,9 +178,7 @@ impl Names {
     /// The two parameters as titles of axes in label markup, with their units.
     pub fn titles(&self) -> [String; 2] {
         let [primary, secondary] = self.shown();
-        let [of_primary, of_secondary] = self.parameter_units();
-        [(primary, of_primary), (secondary, of_secondary)]
-            .map(|(name, unit)| unit.map_or(name.clone(), |unit| format!("{name} ({unit})")))
+        [self.titled(&primary, "{primary}"), self.titled(&secondary, "{secondary}")]
     }
 
     /// Whether the name of any unit is known.
@@ -186,13 +189,6 @@ impl Names {
     /// The units of the two parameters in label markup, as far as they are known.
     pub fn parameter_units(&self) -> [Option<String>; 2] {
         [&self.units.primary, &self.units.secondary].map(|unit| unit.as_deref().map(raised))
-    }
-
-    /// The units of positions and velocities in label markup, as far as they are known.
-    pub fn motion_units(&self) -> [Option<String>; 2] {
-        let UnitNames { length, time, .. } = &self.units;
-        let velocity = length.as_ref().zip(time.as_ref()).map(|_| raised(&self.unit("length/time")));
-        [length.as_deref().map(raised), velocity]
     }
 
     /// The unit that a column declares, with the names of units inserted as far as they are known; an
@@ -215,12 +211,18 @@ impl Names {
             .replace("{secondary}", &known(secondary, &self.secondary))
     }
 
-    /// The unit of motion that a column declares, if all its parts have names.
+    /// The unit that a column declares, if all its parts have names.
     pub fn named_unit(&self, declared: &str) -> Option<String> {
-        let UnitNames { length, time, mass, .. } = &self.units;
-        let mut parts = [("length", length), ("time", time), ("mass", mass)].into_iter();
+        let UnitNames { length, time, mass, primary, secondary } = &self.units;
+        let of_motion = [("length", length), ("time", time), ("mass", mass)];
+        let mut parts = of_motion.into_iter().chain([("{primary}", primary), ("{secondary}", secondary)]);
         let named = parts.all(|(part, name)| name.is_some() || !declared.contains(part));
         named.then(|| self.unit(declared))
+    }
+
+    /// A title in label markup with the unit that a column declares, if all its parts have names.
+    pub fn titled(&self, title: &str, declared: &str) -> String {
+        with_unit(title, self.named_unit(declared).map(|unit| raised(&unit)).as_deref())
     }
 
     /// The name of the grazing curve in label markup: the symbol of the primary parameter at grazing,

@@ -4,12 +4,10 @@ use std::path::Path;
 
 use grazing_analysis::family::{Plan, Varied};
 use grazing_description::Description;
-use grazing_results::Names;
-use grazing_results::brief;
 use grazing_results::family::{Family, Member, Resonance};
+use grazing_results::{Names, brief, with_unit};
 
 use crate::layout::Layout;
-use crate::unfold::numbers::{unit, with_unit};
 use crate::variation::Part;
 
 /// Significant digits of numbers.
@@ -116,8 +114,8 @@ fn curves(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String
     let others = plan.varied[1..].iter().map(|other| other.name.as_str());
     let mut header = vec!["curve", "p", "n"];
     header.extend(others);
-    let secondary = with_unit(&format!("{}*", names.secondary), unit(names, "{secondary}").as_deref());
-    let coefficient = unit(names, "{primary}/{secondary}^2");
+    let secondary = with_unit(&format!("{}*", names.secondary), names.named_unit("{secondary}").as_deref());
+    let coefficient = names.named_unit("{primary}/{secondary}^2");
     let [c_sn, c_pd] = ["c_SN", "c_PD"].map(|head| with_unit(head, coefficient.as_deref()));
     header.extend(["members", plan.varied[0].name.as_str(), &secondary, &c_sn, &c_pd]);
     let table = layout.aligned(&header, lines);

@@ -12,7 +12,7 @@ use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
-use grazing_results::{brief, span};
+use grazing_results::{brief, span, with_unit};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::resonances;
 use grazing_unfold::sides::Simulated;
@@ -20,7 +20,7 @@ use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::analysis::Analysis;
-use super::numbers::{fixed, range, significant, unit, with_unit};
+use super::numbers::{fixed, range, significant};
 use crate::layout::{KEPT, Layout};
 pub(crate) use gaps::incomplete;
 use gaps::{few, missing, odd_ends, thin, undecided, unfinished};
@@ -182,7 +182,7 @@ fn resonances(layout: Layout, description: &Description, unfolded: &Analysis) ->
         row
     });
     let names = &unfolded.axes.names;
-    let beta = with_unit("beta", unit(names, "length/{primary}").as_deref());
+    let beta = with_unit("beta", names.named_unit("length/{primary}").as_deref());
     let header = ["p", "n", &secondary_head, &primary_head, "tau", "delta", "alpha", &beta];
     text.push_str(&layout.aligned(&header, rows));
     text.push('\n');
@@ -192,7 +192,7 @@ fn resonances(layout: Layout, description: &Description, unfolded: &Analysis) ->
          simulation: whether it agrees with the theorem"
     );
     text.push_str(&layout.wrapped("SN and PD curves:  ", &content));
-    let unit_of_c = unit(names, "{primary}/{secondary}^2");
+    let unit_of_c = names.named_unit("{primary}/{secondary}^2");
     let [theorem, measured] = ["c (theorem)", "c (measured)"].map(|head| match &unit_of_c {
         Some(unit) => head.replace(')', &format!(", {unit})")),
         None => head.to_owned(),

@@ -1,6 +1,6 @@
 //! Numbers formatted for reading.
 
-use grazing_results::{Names, brief};
+use grazing_results::{Names, brief, with_unit};
 
 /// The value with exactly this many significant digits, for a column.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
@@ -27,24 +27,10 @@ pub(super) fn range([low, high]: [f64; 2]) -> String {
     format!("{} to {}", brief(low, 6), brief(high, 6))
 }
 
-/// A head of a column with its unit, if that has a name.
-pub(crate) fn with_unit(head: &str, unit: Option<&str>) -> String {
-    unit.map_or(head.to_owned(), |unit| format!("{head} ({unit})"))
-}
-
-/// A unit as columns declare it, if all units that it is made of have names.
-pub(crate) fn unit(names: &Names, declared: &str) -> Option<String> {
-    let parameters = [("{primary}", &names.primary), ("{secondary}", &names.secondary)];
-    // A unit without a name is the parameter's own name.
-    let are_named =
-        parameters.iter().all(|(part, name)| !declared.contains(part) || names.unit(part) != **name);
-    names.named_unit(declared).filter(|_| are_named)
-}
-
 /// The primary and the secondary parameter as heads of columns, with their units.
 pub(crate) fn heads(names: &Names) -> [String; 2] {
     [(&names.primary, "{primary}"), (&names.secondary, "{secondary}")]
-        .map(|(name, declared)| with_unit(name, unit(names, declared).as_deref()))
+        .map(|(name, declared)| with_unit(name, names.named_unit(declared).as_deref()))
 }
 
 /// A value with its standard error, as `0.0181 ± 0.0012`: two significant digits of the error, and as many decimals of the value.

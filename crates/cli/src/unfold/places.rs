@@ -1,10 +1,10 @@
 //! Attractors at the places that were asked for, as lines on the terminal.
 
 use grazing_results::place::{AtPlace, PlaceAttractor};
-use grazing_results::{Names, brief};
+use grazing_results::{Names, brief, with_unit};
 
 use crate::layout::Layout;
-use crate::unfold::numbers::{heads, with_unit};
+use crate::unfold::numbers::heads;
 
 /// Digits of parameters, and of exponents.
 const DIGITS: usize = 6;

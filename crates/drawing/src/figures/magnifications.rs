@@ -2,10 +2,10 @@
 //! which curves that are tangent to each other are separate at any scale.
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::columns::{FROM_RESONANCE, SCALED_DISTANCE};
 use grazing_results::plane::{
     CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint,
 };
-use grazing_results::raised;
 
 use crate::error::DrawingError;
 use crate::figures::look::Look;
@@ -96,14 +96,8 @@ pub fn draw_straightened(
 ) -> Result<Vec<Sheet>, DrawingError> {
     let least = figure.curves.iter().map(|row| row.eta.abs()).fold(f64::INFINITY, f64::min);
     let decades = Decades { least: libm::round(libm::log10(least)) as i32 };
-    let [of_primary, of_secondary] = heading.names.parameter_units();
-    let of_ratio = of_primary.zip(of_secondary.as_ref());
-    let title = |title: &str, known: bool, unit: &str| match known {
-        true => format!("{title} ({})", raised(&heading.names.unit(unit))),
-        false => title.to_owned(),
-    };
-    let across = title(r"$\mu/\eta^{2}$", of_ratio.is_some(), "{primary}/{secondary}^2");
-    let up = title(r"$\eta$", of_secondary.is_some(), "{secondary}");
+    let across = heading.names.titled(r"$\mu/\eta^{2}$", SCALED_DISTANCE.unit);
+    let up = heading.names.titled(r"$\eta$", FROM_RESONANCE.unit);
     let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, &up, Some(decades));
     let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
     let heading = Heading { tables: &[], ..*heading };
@@ -208,14 +202,10 @@ mod tests {
             let units = UnitNames { primary, secondary, ..UnitNames::default() };
             sample.names = sample.names.with_units(units);
             for width in WIDTHS {
-                for sheet in draw_straightened(&sample.straightened, &sample.magnified(), width).unwrap() {
-                    sheet.assert_well_placed(&(titles, width));
-                    for panel in sheet.panels() {
-                        // A power of ten may stand before the title.
-                        let [across, up] = &panel.titles;
-                        assert!(across == titles[0] && (up.is_empty() || up == titles[1]), "{across}, {up}");
-                    }
-                }
+                let sheets = draw_straightened(&sample.straightened, &sample.magnified(), width).unwrap();
+                sheets.iter().for_each(|sheet| sheet.assert_well_placed(&(titles, width)));
+                let first = sheets[0].panels().next().unwrap();
+                assert_eq!(first.titles, titles, "{width:?}");
             }
         }
     }

@@ -3,7 +3,7 @@
 
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::Ordinate;
-use grazing_results::{Frame, Names, raised};
+use grazing_results::{Frame, Names};
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
@@ -78,22 +78,16 @@ pub fn draw_one_parameter(
     let (header, unit_of_ordinate) = figure.ordinate.column();
     let own = Names::new(column, header);
     let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
-    let motion = [x, "$y$"].into_iter().zip(names.motion_units());
-    let motion = motion.map(|(name, unit)| unit.map_or(name.to_owned(), |unit| format!("{name} ({unit})")));
-    let titles: Vec<String> = motion.collect();
-    let (x, y) = (titles[0].as_str(), titles[1].as_str());
+    let (x, y) = (names.titled(x, "length"), names.titled("$y$", "length/time"));
     let up = match figure.ordinate {
-        Ordinate::X => x.to_owned(),
-        other => match names.named_unit(unit_of_ordinate) {
-            Some(unit) => format!("{} ({})", other.name(), raised(&unit)),
-            None => other.name().to_owned(),
-        },
+        Ordinate::X => x.clone(),
+        other => names.titled(other.name(), unit_of_ordinate),
     };
 
     let width = width.mm(WIDTH_MM);
     let narrow = width < WIDE_MM;
     let in_a_row = if narrow { IN_A_ROW / 2 } else { IN_A_ROW };
-    let caption = Caption { across: &across, titles: [x, y], table: portrait_tables };
+    let caption = Caption { across: &across, titles: [&x, &y], table: portrait_tables };
     let portraits = Portraits::new(&Fonts::load()?, figure, caption, in_a_row, width * POINTS_PER_MM)?;
     let portraits_end = portraits.height();
     let height = match magnified {

@@ -67,12 +67,8 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let width = width.mm(WIDTH_MM);
     let narrow = width < WIDE_MM;
     let names = heading.names;
-    let with_unit =
-        |name: &str, unit: Option<&String>| unit.map_or(name.to_owned(), |unit| format!("{name} ({unit})"));
-    let [of_x, of_y] = names.motion_units();
-    let x = with_unit(if figure.from_the_wall { "$x$ from the wall" } else { "$x$" }, of_x.as_ref());
-    let y = with_unit("$y$", of_y.as_ref());
-    let velocity = with_unit("impact velocity", of_y.as_ref());
+    let x = names.titled(if figure.from_the_wall { "$x$ from the wall" } else { "$x$" }, "length");
+    let [y, velocity] = ["$y$", "impact velocity"].map(|title| names.titled(title, "length/time"));
     let share = |one: &PlaceAttractor| match one.attractor {
         0 => format!("impacts accumulate, not followed: {} of {}", one.states, figure.states),
         _ => format!("{}: {:.0} %", one.words(), 100.0 * one.share),

@@ -18,10 +18,13 @@ fn units_have_the_names_that_a_file_gives_them() {
     assert_eq!(names.clone().with_units(units.clone()).named_unit(force), None);
     let weighed = UnitNames { mass: some("kg"), ..units.clone() };
     assert_eq!(names.clone().with_units(weighed).named_unit(force), some("kg*mm/s^2"));
+    let partly = UnitNames { primary: None, ..units.clone() };
+    assert_eq!(names.clone().with_units(partly).named_unit("{primary}/{secondary}^2"), None);
     let named = names.with_units(units);
     let shown = ["length/time^2", "{primary}/{secondary}^2", "{secondary}", "rad time/length", "1"];
     let wanted = ["mm/s^2", "N/(rad/s)^2", "rad/s", "rad s/mm", "1"];
     assert_eq!(shown.map(|declared| named.unit(declared)), wanted);
+    assert_eq!(shown.map(|declared| named.named_unit(declared)), wanted.map(some));
     assert_eq!(named.titles(), ["$F_{0}$ (N)", r"$\omega$ (rad/s)"]);
     for (unit, title) in [
         ("m/s^2", "$a$ (m/s$^{2}$)"),

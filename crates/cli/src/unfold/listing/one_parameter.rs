@@ -1,14 +1,13 @@
 //! One-parameter diagrams as lines on the terminal.
 
 use grazing_description::Description;
-use grazing_results::Names;
 use grazing_results::branches::{OneParameter, Orbits};
+use grazing_results::{Names, with_unit};
 
 use super::gaps::few;
 use super::{PARAMETER, significant};
 use crate::layout::Layout;
 use crate::outputs::oscillator::of_one_parameter;
-use crate::unfold::numbers::with_unit;
 
 /// A one-parameter diagram: the bifurcations on it, and what simulation leaves out.
 pub(crate) fn one_parameter(
