@@ -67,7 +67,7 @@ pub fn draw_diagram(
     let bounds = bounds(&canvas, &frame, up)?;
     let panel = Panel { tables: heading.tables, names: Some(names), ..Panel::new(&canvas, frame, bounds) };
     let mut labels = Labels::new(&canvas, bounds);
-    labels.placer.farthest = LONGEST_LEADER;
+    labels.farthest = LONGEST_LEADER;
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
     for region in Area::all(&diagram.regions).into_iter().filter(|region| look.shows(region.kind)) {

@@ -17,8 +17,6 @@ pub struct Placer {
     leaders: Vec<(Spot, Spot)>,
     /// The labels placed so far: their texts and boxes.
     placed: Vec<(String, Bounds)>,
-    /// The greatest distance of a label from its spot, in points.
-    pub(crate) farthest: f64,
 }
 
 /// A label that is to be placed: its text, and the size of its box in points.
@@ -27,7 +25,9 @@ pub(crate) struct Wanted<'a> {
     pub(crate) text: &'a str,
     pub(crate) width: f64,
     pub(crate) height: f64,
-    /// Whether it may cover lines and markers if there is no room off them.
+    /// The greatest distance from its spot, in points.
+    pub(crate) farthest: f64,
+    /// Whether it may cover lines and markers.
     pub(crate) covers: bool,
 }
 
@@ -56,7 +56,7 @@ impl Placer {
     pub(crate) fn new(panel: Bounds) -> Self {
         let (blocked, segments, nameless, dust) = Default::default();
         let (leaders, placed) = Default::default();
-        Placer { panel, blocked, segments, nameless, dust, leaders, placed, farthest: f64::INFINITY }
+        Placer { panel, blocked, segments, nameless, dust, leaders, placed }
     }
 
     /// Makes labels avoid a box.
@@ -95,41 +95,35 @@ impl Placer {
         let bounds = Bounds::about(centre, label.width, label.height);
         let around = bounds.grown(TWINS);
         let meets = |(a, b): &(Spot, Spot)| bounds.meets(*a, *b);
-        let beside_twin =
-            || self.placed.iter().any(|(text, twin)| text == label.text && twin.overlaps(&around));
-        let on_line = || self.segments.iter().chain(&self.nameless).any(meets);
-        let taken = self.is_taken(label, |other| other.overlaps(&bounds))
-            || beside_twin()
-            || self.leaders.iter().any(meets)
-            || !label.covers && on_line();
-        (self.panel.holds(&bounds) && !taken).then_some(bounds)
+        let is_free = self.panel.holds(&bounds)
+            && !self.taken(label.covers).any(|other| other.overlaps(&bounds))
+            && !self.placed.iter().any(|(text, twin)| text == label.text && twin.overlaps(&around))
+            && !self.leaders.iter().any(meets)
+            && (label.covers || !self.segments.iter().chain(&self.nameless).any(meets));
+        is_free.then_some(bounds)
     }
 
-    /// Whether one of the boxes that a label must keep off is as `there` says: other labels, and markers
-    /// unless it covers them.
-    fn is_taken(&self, label: Wanted<'_>, there: impl Fn(&Bounds) -> bool) -> bool {
-        match label.covers {
-            true => self.placed.iter().any(|(_, other)| there(&other.grown(1.0))),
-            false => self.blocked.iter().any(there),
-        }
+    /// The boxes that a label must keep off: those of markers, unless it `covers` them, and of other labels.
+    fn taken(&self, covers: bool) -> impl Iterator<Item = Bounds> {
+        let markers = self.blocked.iter().filter(move |_| !covers).copied();
+        markers.chain(self.placed.iter().map(|(_, label)| label.grown(1.0)))
     }
 
     fn take(&mut self, text: &str, place: Option<LabelPlace>) -> Option<LabelPlace> {
         if let Some(LabelPlace { bounds, leader }) = place {
-            self.blocked.push(bounds.grown(1.0));
             self.placed.push((text.to_owned(), bounds));
             self.leaders.extend(leader);
         }
         place
     }
 
-    /// A position beside a curve, as near to its middle as there is room, on either side; off clouds of
-    /// points unless it `covers` them.
+    /// A position beside a curve, as near to its middle as there is room, on either side, and off clouds of
+    /// points unless it may be `over_clouds`.
     pub(crate) fn beside_curve(
         &mut self,
         curve: &[Spot],
         label: Wanted<'_>,
-        covers: bool,
+        over_clouds: bool,
     ) -> Option<LabelPlace> {
         // Fractions of the curve from its middle to 0.08 from its ends.
         let fractions = (0..=14).flat_map(|k| [0.5 - 0.03 * f64::from(k), 0.5 + 0.03 * f64::from(k)]);
@@ -150,7 +144,7 @@ impl Placer {
                 let Some(bounds) = self.free(centre(spot, side, gap), label) else { continue };
                 let near = bounds.grown(gap + lead);
                 let own = !foreign.iter().any(|&(a, b)| near.meets(a, b));
-                if own && (covers || self.dusty(&bounds) == 0) {
+                if own && (over_clouds || self.dusty(&bounds) == 0) {
                     return self.take(label.text, Some(LabelPlace { bounds, leader: None }));
                 }
             }
@@ -188,7 +182,11 @@ impl Placer {
         let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
         let directions: Vec<Spot> = directions.collect();
         let mut best: Option<(f64, LabelPlace)> = None;
-        for gap in GAPS.into_iter().filter(|gap| *gap <= self.farthest && (*gap > LED || !led)) {
+        for gap in GAPS.into_iter().filter(|gap| *gap <= label.farthest && (*gap > LED || !led)) {
+            // Nothing costs less than its distance.
+            if best.is_some_and(|(cheapest, _)| cheapest <= gap) {
+                break;
+            }
             let places = spots.iter().flat_map(|spot| directions.iter().map(move |turn| (*spot, *turn)));
             for (at, (right, down)) in places {
                 let reach = clearance + gap;
@@ -216,7 +214,7 @@ impl Placer {
     /// another leader.
     fn crossed(&self, label: Wanted<'_>, (from, to): (Spot, Spot)) -> Option<usize> {
         let meets = |&&(a, b): &&(Spot, Spot)| cross((a, b), (from, to));
-        let through = self.is_taken(label, |other| other.meets(from, to));
+        let through = self.taken(label.covers).any(|other| other.meets(from, to));
         if through || self.leaders.iter().any(|other| meets(&other)) {
             return None;
         }
@@ -236,17 +234,13 @@ impl Placer {
             let mut x = left + 0.5 * pitch;
             while x < right {
                 if let Some(bounds) = self.free((x, y), label) {
-                    let corners = [
-                        (bounds.left, bounds.top),
-                        (bounds.right, bounds.top),
-                        (bounds.right, bounds.bottom),
-                        (bounds.left, bounds.bottom),
-                    ];
-                    let clearance = self.clearance(&bounds);
-                    if corners.iter().all(|&c| inside(&polygon, c))
-                        && best.is_none_or(|(widest, _)| clearance > widest)
-                    {
-                        best = Some((clearance, bounds));
+                    let Bounds { left, top, right, bottom } = bounds;
+                    let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+                    if corners.iter().all(|&corner| inside(&polygon, corner)) {
+                        let clearance = self.clearance(&bounds);
+                        if best.is_none_or(|(widest, _)| clearance > widest) {
+                            best = Some((clearance, bounds));
+                        }
                     }
                 }
                 x += pitch;
@@ -268,7 +262,7 @@ impl Placer {
         for (i, j) in (0..TRIALS).flat_map(|j| (0..TRIALS).map(move |i| (i, j))) {
             let spot = (at(left, right, i), at(top, bottom, j));
             let around = Bounds::about(spot, 2.0, 2.0);
-            if !inside(&outline, spot) || self.blocked.iter().any(|b| b.overlaps(&around)) {
+            if !inside(&outline, spot) || self.taken(false).any(|b| b.overlaps(&around)) {
                 continue;
             }
             let depth = outline.iter().map(|&p| distance(p, spot)).fold(f64::INFINITY, f64::min);
@@ -293,7 +287,7 @@ impl Placer {
             .min(self.panel.bottom - bounds.bottom);
         let lines = self.segments.iter().chain(&self.leaders);
         let curves = lines.map(|s| outside(s.0).min(outside(s.1)));
-        let boxes = self.blocked.iter().map(|b| {
+        let boxes = self.taken(false).map(|b| {
             let dx = (b.left - bounds.right).max(bounds.left - b.right);
             let dy = (b.top - bounds.bottom).max(bounds.top - b.bottom);
             dx.max(dy)
@@ -343,7 +337,7 @@ mod tests {
     use super::*;
 
     fn label(text: &str, width: f64, height: f64) -> Wanted<'_> {
-        Wanted { text, width, height, covers: false }
+        Wanted { text, width, height, farthest: f64::INFINITY, covers: false }
     }
 
     const SHEET: Bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };

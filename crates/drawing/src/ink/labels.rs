@@ -14,14 +14,15 @@ const PADDING: f64 = 1.2;
 pub enum Site<'a> {
     /// Beside a curve, near its middle.
     Beside(&'a [Spot]),
-    /// Beside a curve where that covers no cloud of points.
-    Clear(&'a [Spot]),
+    /// Beside a piece of a curve, the first if there is room, or else around one.
+    Pieces(&'a [&'a [Spot]]),
     /// Around a spot, at least at this clearance.
     Around(Spot, f64),
     /// Around one of several spots.
     AroundAny(&'a [Spot], f64),
-    /// Around one of several spots, over lines and markers if there is no room off them.
-    Covering(&'a [Spot], f64),
+    /// Around one of several spots, however far away, and over lines and markers if there is no room off
+    /// them.
+    Anyhow(&'a [Spot], f64),
     /// Away from a curve, with a leader to it.
     Led(&'a [Spot]),
     /// Inside a polygon.
@@ -42,6 +43,8 @@ pub struct Labels<'c> {
     canvas: &'c Canvas,
     /// The objects that labels avoid.
     pub placer: Placer,
+    /// The greatest distance of a label from its spot, in points.
+    pub(crate) farthest: f64,
     placed: Vec<Placed>,
 }
 
@@ -61,7 +64,7 @@ const LEADING: f64 = 1.15;
 impl<'c> Labels<'c> {
     /// An empty set of labels, which will stay inside the panel and be drawn on the canvas.
     pub fn new(canvas: &'c Canvas, panel: Bounds) -> Self {
-        Labels { canvas, placer: Placer::new(panel), placed: Vec::new() }
+        Labels { canvas, placer: Placer::new(panel), farthest: f64::INFINITY, placed: Vec::new() }
     }
 
     /// Finds a position for a label; false if there is none.
@@ -95,53 +98,44 @@ impl<'c> Labels<'c> {
         }
         let further = LEADING * size * lines.len().saturating_sub(1) as f64;
         let height = ascent + further + descent + 2.0 * PADDING;
-        let placer = &mut self.placer;
-        let text = sources.join(" ");
+        let (text, farthest) = (sources.join(" "), self.farthest);
+        let wanted =
+            |width| Wanted { text: &text, width: width + 2.0 * PADDING, height, farthest, covers: false };
         // The width in the embedded font is used if the wider fallback does not fit.
-        let covers = matches!(site, Site::Covering(..));
-        let wanted = |width| Wanted { text: &text, width: width + 2.0 * PADDING, height, covers };
-        let labels = widths.map(wanted).into_iter();
-        let mut beside =
-            |curve, covers| labels.clone().find_map(|label| placer.beside_curve(curve, label, covers));
-        let place = match *site {
-            Site::Clear(curve) => beside(curve, false),
-            Site::Beside(curve) => beside(curve, false).or_else(|| beside(curve, true)),
-            Site::Around(spot, clearance) => {
-                labels.clone().find_map(|label| placer.around(&[spot], clearance, label, false))
-            }
-            Site::AroundAny(spots, clearance) | Site::Covering(spots, clearance) => {
-                labels.clone().find_map(|label| placer.around(spots, clearance, label, false))
-            }
-            Site::Led(curve) => {
-                let spots: Vec<Spot> = targets(curve).collect();
-                labels.clone().find_map(|label| placer.around(&spots, OFF_CURVE, label, true))
-            }
-            Site::Within(polygon) => labels.clone().find_map(|label| placer.within(polygon, label)),
-        };
+        let place = self.find(site, widths.map(wanted));
         if let Some(place) = place {
             self.placed.push(Placed { lines, reach: (ascent, descent), size, colour, place });
         }
         Ok(place.is_some())
     }
 
-    /// Labels a curve, drawn in pieces of which the first is preferred: beside a piece or, if there is no
-    /// room, farther away with a leader.
-    pub fn name_curve(
-        &mut self,
-        source: &str,
-        size: f64,
-        colour: Colour,
-        pieces: &[Vec<Spot>],
-    ) -> Result<(), DrawingError> {
-        let spots: Vec<Spot> = pieces.iter().flat_map(|piece| targets(piece)).collect();
-        let clear = pieces.iter().map(|piece| Site::Clear(piece));
-        let covering = pieces.iter().map(|piece| Site::Beside(piece));
-        for site in clear.chain([Site::AroundAny(&spots, OFF_CURVE)]).chain(covering) {
-            if self.add(source, size, colour, &site)? {
-                break;
+    /// A position for the first of several versions of a label for which there is one.
+    fn find(&mut self, site: &Site<'_>, labels: [Wanted<'_>; 2]) -> Option<LabelPlace> {
+        let beside = |placer: &mut Placer, curve: &[Spot], over_clouds| {
+            labels.iter().find_map(|label| placer.beside_curve(curve, *label, over_clouds))
+        };
+        let around = |placer: &mut Placer, spots: &[Spot], clearance, led| {
+            labels.iter().find_map(|label| placer.around(spots, clearance, *label, led))
+        };
+        let placer = &mut self.placer;
+        match *site {
+            Site::Beside(curve) => beside(placer, curve, false).or_else(|| beside(placer, curve, true)),
+            Site::Pieces(pieces) => {
+                let spots: Vec<Spot> = pieces.iter().flat_map(|piece| targets(piece)).collect();
+                let clear = pieces.iter().find_map(|piece| beside(placer, piece, false));
+                clear
+                    .or_else(|| around(placer, &spots, OFF_CURVE, false))
+                    .or_else(|| pieces.iter().find_map(|piece| beside(placer, piece, true)))
             }
+            Site::Around(spot, clearance) => around(placer, &[spot], clearance, false),
+            Site::AroundAny(spots, clearance) => around(placer, spots, clearance, false),
+            Site::Anyhow(spots, clearance) => [false, true].into_iter().find_map(|covers| {
+                let far = labels.map(|label| Wanted { farthest: f64::INFINITY, covers, ..label });
+                far.into_iter().find_map(|label| placer.around(spots, clearance, label, false))
+            }),
+            Site::Led(curve) => around(placer, &targets(curve).collect::<Vec<_>>(), OFF_CURVE, true),
+            Site::Within(polygon) => labels.iter().find_map(|label| placer.within(polygon, *label)),
         }
-        Ok(())
     }
 
     /// Draws all labels and their leaders.

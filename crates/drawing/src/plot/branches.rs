@@ -96,11 +96,9 @@ pub(crate) fn diagram(
     for (p, own) in &pieces {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
         let colour = branch_pen(*p, 1.0).colour;
-        if every_loop || *p > 0 {
-            labels.name_curve(&text, SMALL_LABEL_SIZE, colour, own)?;
-        } else {
-            labels.add(&text, SMALL_LABEL_SIZE, colour, &Site::Beside(&own[0]))?;
-        }
+        let all: Vec<&[Spot]> = own.iter().map(Vec::as_slice).collect();
+        let site = if every_loop || *p > 0 { Site::Pieces(&all) } else { Site::Beside(all[0]) };
+        labels.add(&text, SMALL_LABEL_SIZE, colour, &site)?;
     }
     if every_loop {
         let some: Vec<Spot> = dots.iter().copied().step_by(1 + dots.len() / NAMED_DOTS).rev().collect();

@@ -1,7 +1,5 @@
 //! The rectangles of a diagram that panels of another sheet magnify, and the letters of both.
 
-use core::mem;
-
 use grazing_results::Frame;
 
 use crate::error::DrawingError;
@@ -78,13 +76,7 @@ pub(crate) fn letter(labels: &mut Labels<'_>, number: u32, outline: &Bounds) -> 
     let middle = outline.centre();
     let sides = [(left, middle.1), (right, middle.1), (middle.0, top), (middle.0, bottom)];
     let around = [corners, sides].concat();
-    let farthest = mem::replace(&mut labels.placer.farthest, f64::INFINITY);
-    for site in [Site::AroundAny(&around, 1.0), Site::Covering(&around, 1.0)] {
-        if labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &site)? {
-            break;
-        }
-    }
-    labels.placer.farthest = farthest;
+    labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Site::Anyhow(&around, 1.0))?;
     Ok(())
 }
 

@@ -4,7 +4,7 @@ use grazing_results::plane::OwnPoint;
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Spot, length};
-use crate::ink::labels::Labels;
+use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
 use crate::plot::axes::Panel;
@@ -62,8 +62,8 @@ pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPo
 /// Labels the curves where there is room beside a piece, or else with a leader to one.
 pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[OwnCurve]) -> Result<(), DrawingError> {
     for OwnCurve { label, pieces } in drawn {
-        let pieces: Vec<_> = pieces.iter().map(|(_, piece)| piece.clone()).collect();
-        labels.name_curve(label, SMALL_LABEL_SIZE, OWN_TEXT, &pieces)?;
+        let pieces: Vec<&[Spot]> = pieces.iter().map(|(_, piece)| piece.as_slice()).collect();
+        labels.add(label, SMALL_LABEL_SIZE, OWN_TEXT, &Site::Pieces(&pieces))?;
     }
     Ok(())
 }

@@ -129,7 +129,8 @@ impl SpaceSheet {
             match *named {
                 NamedPart::Curves(kind) => {
                     for index in shown.longest(|piece| piece.kind == kind) {
-                        labels.name_curve(text, size, colour, &[shown.curves[index].spots()])?;
+                        let line = shown.curves[index].spots();
+                        labels.add(text, size, colour, &Site::Pieces(&[&line]))?;
                     }
                 }
                 NamedPart::Face(kind) => {
@@ -139,7 +140,7 @@ impl SpaceSheet {
                 }
                 NamedPart::Line(kind) => {
                     if let Some(line) = first(kind) {
-                        labels.name_curve(text, size, colour, &[line])?;
+                        labels.add(text, size, colour, &Site::Pieces(&[&line]))?;
                     }
                 }
                 NamedPart::Border(kind) => {

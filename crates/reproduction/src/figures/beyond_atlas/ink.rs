@@ -1,7 +1,5 @@
 //! Drawing of the atlas of the limit map.
 
-use std::slice;
-
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::labels::{Labels, Site};
@@ -151,7 +149,7 @@ impl Atlas {
             }
         }
         for (name, colour, piece) in &pieces {
-            labels.name_curve(name, SMALL_LABEL_SIZE, *colour, slice::from_ref(piece))?;
+            labels.add(name, SMALL_LABEL_SIZE, *colour, &Site::Pieces(&[piece]))?;
         }
         for place in self.places.iter().filter(|place| place.loops.min(2) == loops) {
             panel.line(&[(place.sigma, RATIOS[0]), (place.sigma, RATIOS[0] + 0.08)], Pen::solid(BLACK, 0.5));
