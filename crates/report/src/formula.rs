@@ -50,7 +50,7 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
 /// The MathML with the space before an operator in front of its scripts, and not among them as the converter
 /// puts it for `2 \sin^2`, where it would be the operator that is raised to a power.
 fn spaced_outside(mut text: String) -> String {
-    for scripts in ["<msup>", "<msub>", "<msubsup>"] {
+    for scripts in ["<msup>", "<msub>", "<msubsup>", "<mover>", "<munder>", "<munderover>"] {
         let wrong = format!("{scripts}<mspace");
         while let Some(start) = text.find(&wrong) {
             let space = start + scripts.len();
@@ -229,11 +229,14 @@ mod tests {
 
     #[test]
     fn a_power_of_an_operator_raises_the_operator() {
-        for (latex, scripts) in [
-            (r"2\sin^2(x)", "<msup><mi>sin</mi><mn>2</mn></msup>"),
-            (r"2\log_2 x", "<msub><mi>log</mi><mn>2</mn></msub>"),
+        for (latex, displayed, scripts) in [
+            (r"2\sin^2(x)", false, "<msup><mi>sin</mi><mn>2</mn></msup>"),
+            (r"2\log_2 x", false, "<msub><mi>log</mi><mn>2</mn></msub>"),
+            (r"2\max_x y", false, "<msub><mi>max</mi><mi>x</mi></msub>"),
+            (r"2\max_x y", true, "<munder><mi>max</mi><mi>x</mi></munder>"),
+            (r"2\max_x^2 y", true, "<munderover><mi>max</mi><mi>x</mi><mn>2</mn></munderover>"),
         ] {
-            let formula = mathml(latex, false).unwrap();
+            let formula = mathml(latex, displayed).unwrap();
             assert!(formula.contains(&format!("<mspace width=\"0.1667em\" />{scripts}")), "{formula}");
         }
     }

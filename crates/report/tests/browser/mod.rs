@@ -49,7 +49,7 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)])
     );
     let watched = format!("<head>\n<script>{WATCH}</script>");
     let page = page.replacen("<head>", &watched, 1).replace("</body>", &script);
-    let (_folder, mut browser) = open(&page)?;
+    let (_folder, mut browser) = open(&page, WINDOW[0])?;
     let results = browser.wait("document.getElementById('checks')?.textContent");
     Some(results.as_str().expect("it is text").lines().map(str::to_owned).collect())
 }
@@ -112,10 +112,7 @@ const LANDED: &str = "async (link, click, patience) => {
 
 /// The captions and lines of text that a window of this width cuts off; none without a browser.
 pub(crate) fn cut(page: &str, width: u32) -> Option<Vec<String>> {
-    let folder = tempfile::tempdir().expect("a temporary folder can be made");
-    let file = folder.path().join("page.html");
-    fs::write(&file, page).expect("the folder is ours");
-    let mut browser = Browser::open(&format!("file://{}", file.display()), [width, WINDOW[1]])?;
+    let (_folder, mut browser) = open(page, width)?;
     browser.wait(LOADED);
     let cut = browser.value(&format!("({CUT})()"));
     Some(cut.as_array()?.iter().filter_map(|text| text.as_str()).map(str::to_owned).collect())
@@ -135,19 +132,20 @@ const CUT: &str = "() => [...document.querySelectorAll('caption, h1, h2, h3, h4,
 
 /// The number of pages in print; none without a browser.
 pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
-    let (_folder, mut browser) = open(page)?;
+    let (_folder, mut browser) = open(page, WINDOW[0])?;
     browser.wait(LOADED);
     let pdf = browser.printed();
     // The object of a page begins with its type on its own line.
     Some(pdf.split(|byte| *byte == b'\n').filter(|line| line.ends_with(b"/Type /Page")).count())
 }
 
-/// Opens the page from a folder, which is deleted with the first value; none without a browser.
-fn open(page: &str) -> Option<(TempDir, Browser)> {
+/// Opens the page in a window of this width from a folder, which is deleted with the first value; none
+/// without a browser.
+fn open(page: &str, width: u32) -> Option<(TempDir, Browser)> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("page.html");
     fs::write(&file, page).expect("the folder is ours");
-    let browser = Browser::open(&format!("file://{}", file.display()), WINDOW)?;
+    let browser = Browser::open(&format!("file://{}", file.display()), [width, WINDOW[1]])?;
     Some((folder, browser))
 }
 
