@@ -13,6 +13,7 @@ use crate::geometry::shapes::{star, triangle};
 use crate::geometry::sheet::{Bounds, Spot, in_hundredths};
 use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::font::Fonts;
+use crate::ink::labels::Labels;
 use crate::ink::markup::Label;
 use crate::ink::sheet::{Element, PanelMark};
 use crate::ink::style::{
@@ -70,6 +71,8 @@ pub enum Marker {
     Ring,
 }
 
+/// The room for the rim of a marker, in points.
+const RIM: f64 = 0.5;
 /// The gap between ticks, numbers and titles, in points.
 const TICK_GAP: f64 = 2.5;
 /// Titles of vertical axes that are wider than this (points) are rotated to read upwards.
@@ -157,8 +160,9 @@ impl<'c> Panel<'c> {
         rings.iter().map(|ring| self.spots(&clip_polygon(&self.frame, ring))).collect()
     }
 
-    /// Draws a marker if its point is in the frame; returns its box.
-    pub fn marker(&self, point: (f64, f64), marker: Marker) -> Option<Bounds> {
+    /// Draws a marker if its point is in the frame, and makes labels avoid it; returns its box, the rim
+    /// included.
+    pub fn marker(&self, labels: &mut Labels<'_>, point: (f64, f64), marker: Marker) -> Option<Bounds> {
         if !self.frame.contains(point) {
             return None;
         }
@@ -181,7 +185,9 @@ impl<'c> Panel<'c> {
                 2.0 * STAR_RADIUS
             }
         };
-        Some(Bounds::about(centre, size, size))
+        let taken = Bounds::about(centre, size, size).grown(RIM);
+        labels.placer.block(taken);
+        Some(taken)
     }
 
     /// Adds the mark that describes the position and contents of the panel.

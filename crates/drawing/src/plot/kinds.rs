@@ -135,9 +135,8 @@ pub fn draw_curves(
 /// Marks the places where curves were followed no further.
 pub(crate) fn draw_ends(panel: &Panel<'_>, labels: &mut Labels<'_>, ends: impl Iterator<Item = (f64, f64)>) {
     for end in ends {
-        if let Some(taken) = panel.marker(end, Marker::Ring) {
+        if panel.marker(labels, end, Marker::Ring).is_some() {
             panel.canvas.explain("a curve could not be followed further (reason in its table)", Sample::Ring);
-            labels.placer.block(taken.grown(0.5));
         }
     }
 }
@@ -190,9 +189,8 @@ pub fn draw_points<'a>(
             false => ("other codimension-two point", Sample::Disc),
         };
         for point in points.iter().filter(|point| (point.kind == CodimensionTwo::Resonance) == resonances) {
-            if let Some(taken) = panel.marker((point.primary, point.secondary), marker) {
+            if let Some(taken) = panel.marker(labels, (point.primary, point.secondary), marker) {
                 panel.canvas.explain(meaning, sample);
-                labels.placer.block(taken.grown(0.5));
                 drawn.push((point, taken));
             }
         }

@@ -94,14 +94,13 @@ impl Atlas {
         panel.canvas.explain("the ε of Figure 7", Sample::Line(OWN));
         let mut marked = Vec::new();
         for place in self.places.iter().filter(|place| place.loops.min(2) == loops) {
-            if let Some(taken) = panel.marker((place.sigma, place.epsilon), Marker::Triangle) {
-                labels.placer.block(taken);
+            if let Some(taken) = panel.marker(&mut labels, (place.sigma, place.epsilon), Marker::Triangle) {
                 marked.push((format!("{}, {}", place.loops, place.n), taken));
             }
         }
         edges.iter().for_each(|edge| labels.placer.keep_off(edge));
         for (name, taken) in &marked {
-            let site = Site::Around(taken.centre(), 0.5 * (taken.right - taken.left) + 0.5);
+            let site = Site::Around(taken.centre(), 0.5 * (taken.right - taken.left));
             labels.add(name, SMALL_LABEL_SIZE - 1.0, BLACK, &site)?;
         }
         // Each name is in the area between a boundary and the next.

@@ -64,11 +64,9 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     }
     for row in &figure.measured {
         let [from, to] = [row.m_from, row.m_to];
-        let width = widths.marker((row.sigma, libm::log10(to - from)), Marker::Disc);
-        width.into_iter().for_each(|taken| labels[0].placer.block(taken));
+        widths.marker(&mut labels[0], (row.sigma, libm::log10(to - from)), Marker::Disc);
         for place in [from, to].into_iter().filter(|_| row.sigma > 0.0) {
-            let taken = places.marker((row.sigma, libm::log10(place)), Marker::Disc);
-            taken.into_iter().for_each(|taken| labels[1].placer.block(taken));
+            places.marker(&mut labels[1], (row.sigma, libm::log10(place)), Marker::Disc);
         }
     }
     for (line, name, colour) in &lines {

@@ -137,9 +137,8 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
             (Marker::Disc, Sample::Disc, "other codimension-two point")
         };
         let omega = 0.5 * (item.from + item.to);
-        if let Some(taken) = panel.marker((item.amplitude, omega), marker) {
+        if panel.marker(&mut labels, (item.amplitude, omega), marker).is_some() {
             panel.canvas.explain(&format!("proved: {what}"), sample);
-            labels.placer.block(taken.grown(0.5));
         }
     }
     // The letter of a magnification stands at its point.

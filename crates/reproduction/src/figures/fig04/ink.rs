@@ -85,8 +85,7 @@ pub(super) fn draw(figure: &Boundaries, width: SheetWidth) -> Result<Sheet, Draw
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &others)?;
     for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
-        if let Some(taken) = panel.marker(point, Marker::Star) {
-            labels.placer.block(taken);
+        if let Some(taken) = panel.marker(&mut labels, point, Marker::Star) {
             let reach = 0.5 * (taken.right - taken.left);
             labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Site::Around(panel.spot(point), reach))?;
         }

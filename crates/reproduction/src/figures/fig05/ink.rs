@@ -59,9 +59,8 @@ pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet,
     }
     let drawn = draw_curves(&panel, &mut labels, curves);
     for point in figure.points.iter().map(|point| (point.mu, point.eta)) {
-        if let Some(taken) = panel.marker(point, Marker::Triangle) {
+        if panel.marker(&mut labels, point, Marker::Triangle).is_some() {
             canvas.explain("resonant grazing bifurcation", Sample::Triangle);
-            labels.placer.block(taken.grown(0.5));
         }
     }
     panel.axes(r"$\mu$", r"$\eta$")?;

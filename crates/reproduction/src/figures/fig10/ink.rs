@@ -49,9 +49,7 @@ pub(super) fn draw(figure: &VisitPath, width: SheetWidth) -> Result<Sheet, Drawi
         }
     }
     for &vertex in &vertices {
-        if let Some(taken) = panel.marker(vertex, Marker::Disc) {
-            labels.placer.block(taken);
-        }
+        panel.marker(&mut labels, vertex, Marker::Disc);
     }
     panel.axes("$u$", "$w$")?;
     // Labels of vertices are placed outside if possible.
