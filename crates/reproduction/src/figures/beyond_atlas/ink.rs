@@ -100,7 +100,8 @@ impl Atlas {
         }
         edges.iter().for_each(|edge| labels.placer.keep_off(edge));
         for (name, taken) in &marked {
-            let site = Site::Around(taken.centre(), 0.5 * (taken.right - taken.left));
+            let spots = [taken.centre()];
+            let site = Site::Anyhow(&spots, 0.5 * (taken.right - taken.left));
             labels.add(name, SMALL_LABEL_SIZE - 1.0, BLACK, &site)?;
         }
         // Each name is in the area between a boundary and the next.
