@@ -16,11 +16,12 @@ mod symmetry;
 
 use core::f64::consts::{PI, TAU};
 
-use grazing_model::maps::{self, MapError};
+use grazing_model::maps::{self, MapError, Passage};
 use grazing_model::motion::{Maximum, Motion};
 use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
+use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{SMatrix, Vector2, Vector4};
 use smallvec::SmallVec;
 
@@ -321,6 +322,16 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             landing.jet.plain()
         };
         Ok((jet.value[0], jet.jacobian.row(0).transpose()))
+    }
+
+    /// The solution on a curve of interior grazing as a grazing orbit with an impact elsewhere; `None` where
+    /// P_global is not defined.
+    pub fn touching_orbit(&self, point: &Unknowns, times: &EventTimes) -> Option<GrazingOrbit<O>> {
+        let (oscillator, from) = (self.oscillator_at(point), self.departure(point));
+        let (time, flight) = (times.grazing_time, self.flight(point));
+        let phase = from.phase + oscillator.forcing_frequency().value * time;
+        let passage = Passage::through(self.loops, [flight - time], time);
+        GrazingOrbit::through(oscillator, phase, passage).ok()
     }
 
     /// The position x of the flight when the forcing is at a phase, counted from that of the

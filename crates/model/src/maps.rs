@@ -9,6 +9,8 @@
 //! the jet, and can be passed as a guess to the next call: "the next maximum" is ambiguous once a
 //! loop has grown a second one, a continued time is not.
 
+mod passage;
+
 use core::f64::consts::TAU;
 
 use nalgebra::{Matrix6, Vector2, Vector4};
@@ -19,9 +21,19 @@ use crate::oscillator::ImpactOscillator;
 use crate::state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable as flow};
 use crate::tolerances::{LAST_STEP_TO_SECTION, LAST_STEP_TO_WALL, MOST_ITERATIONS, MOST_PERIODS};
 
+pub use passage::Passage;
+
 /// The reason why a map is not defined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum MapError {
+    /// The orbit does not reach the wall near the expected time.
+    #[error("the wall is not reached near t = {near}, where the velocity is {velocity}")]
+    NoCrossing {
+        /// The time around which the impact was sought.
+        near: f64,
+        /// The velocity where the search ended.
+        velocity: f64,
+    },
     /// The orbit does not come to rest near the expected time.
     #[error("the velocity has no zero near t = {near}: Newton's method stopped with velocity {velocity}")]
     NoRest {

@@ -4,9 +4,11 @@
 //! every coefficient is a first or second derivative of P_global. For the linear oscillator the
 //! results agree with [`linear_oscillator`](crate::linear_oscillator).
 
-use grazing_model::maps::{MapError, global_iterate, global_map};
+use grazing_model::maps::{MapError, Passage};
+use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, MapJet, OnWall, State};
 use nalgebra::{Matrix2, Vector2, Vector3};
+use smallvec::SmallVec;
 
 use crate::auxiliary::detuning;
 use crate::grazing::GrazingPoint;
@@ -35,7 +37,7 @@ const LONGEST_STEP: f64 = 1e3;
 
 /// A point of the grazing curve at one value of the secondary parameter η, with the direction of
 /// the curve.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct GrazingPlace {
     /// The grazing phase z_graz, in radians.
     pub phase: f64,
@@ -44,6 +46,8 @@ pub struct GrazingPlace {
     /// The slopes d(z_graz, primary_graz)/dη, right to some seven digits; NaN at a fold of the
     /// grazing curve.
     slopes: Vector2<f64>,
+    /// The way of the grazing orbit from Π back to Π.
+    passage: Passage,
 }
 
 impl GrazingPlace {
@@ -53,12 +57,25 @@ impl GrazingPlace {
     /// # Errors
     /// P_global is not defined at an iterate, or there is no convergence.
     pub fn find<O: ImpactOscillator>(oscillator: &O, near: f64) -> Result<Self, GrazingOrbitError> {
+        Self::along(oscillator, near, Passage::direct())
+    }
+
+    /// As [`find`](Self::find), of an orbit that may have impacts elsewhere.
+    ///
+    /// # Errors
+    /// As [`find`](Self::find).
+    pub fn along<O: ImpactOscillator>(
+        oscillator: &O,
+        near: f64,
+        passage: Passage,
+    ) -> Result<Self, GrazingOrbitError> {
         let [mut primary, eta] = oscillator.parameters();
         let mut phase = near;
         let mut residual = f64::INFINITY;
         for _ in 0..30 {
             let here = oscillator.with_parameters([primary, eta]);
-            let map = global_map::<O, 1>(&here, AtRest::new(0.0, phase), None)?.jet;
+            let mut way = passage.clone();
+            let (map, _) = way.global_map::<O, 1>(&here, AtRest::new(0.0, phase))?;
             let defect = Vector2::new(map.value[0], map.value[1] - phase);
             residual = defect.norm();
             let jacobian = by_phase_and_primary(&map).lu();
@@ -69,7 +86,8 @@ impl GrazingPlace {
             primary -= step[1];
             // Quadratic convergence: the step after one of this size is lost in rounding.
             if step.norm() <= 1e-8 {
-                return Ok(Self { phase, parameters: [primary, eta], slopes: slopes(&map) });
+                let passage = settled(passage, way);
+                return Ok(Self { phase, parameters: [primary, eta], slopes: slopes(&map), passage });
             }
         }
         Err(GrazingOrbitError::NoConvergence { eta, residual })
@@ -82,8 +100,15 @@ impl GrazingPlace {
     pub fn moved<O: ImpactOscillator>(&self, oscillator: &O, eta: f64) -> Result<Self, GrazingOrbitError> {
         let [primary, from] = self.parameters;
         let step = self.slopes * (eta - from);
-        Self::find(&oscillator.with_parameters([primary + step[1], eta]), self.phase + step[0])
+        let there = oscillator.with_parameters([primary + step[1], eta]);
+        Self::along(&there, self.phase + step[0], self.passage.clone())
     }
+}
+
+/// The passage with the times of the way that was found; without impacts the forcing period is a
+/// guess that serves everywhere.
+fn settled(passage: Passage, way: Passage) -> Passage {
+    if passage.impacts() > 0 { way } else { passage }
 }
 
 /// Derivative of P_global(0, z; primary) − (0, z).
@@ -110,6 +135,8 @@ pub struct GrazingOrbit<O = AnyOscillator> {
     map: MapJet<AtRest, AtRest>,
     /// The slopes d(z_graz, primary_graz)/dη.
     slopes: Vector2<f64>,
+    passage: Passage,
+    impacts: SmallVec<[OnWall; 2]>,
 }
 
 impl<O: ImpactOscillator> GrazingOrbit<O> {
@@ -119,8 +146,23 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// # Errors
     /// P_global is not defined at an iterate, or there is no convergence.
     pub fn find(oscillator: &O, near: f64) -> Result<Self, GrazingOrbitError> {
-        let GrazingPlace { phase, parameters, .. } = GrazingPlace::find(oscillator, near)?;
-        Self::at(oscillator.with_parameters(parameters), phase)
+        Self::of(oscillator, GrazingPlace::find(oscillator, near)?)
+    }
+
+    /// As [`find`](Self::find), of an orbit that may have impacts elsewhere.
+    ///
+    /// # Errors
+    /// As [`find`](Self::find).
+    pub fn along(oscillator: &O, near: f64, passage: Passage) -> Result<Self, GrazingOrbitError> {
+        Self::of(oscillator, GrazingPlace::along(oscillator, near, passage)?)
+    }
+
+    /// The grazing orbit at a place.
+    ///
+    /// # Errors
+    /// P_global is not defined there.
+    pub fn of(oscillator: &O, place: GrazingPlace) -> Result<Self, GrazingOrbitError> {
+        Self::through(oscillator.with_parameters(place.parameters), place.phase, place.passage)
     }
 
     /// The grazing orbit known to pass through (0, 0, phase) at the oscillator's parameters.
@@ -131,13 +173,45 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// # Errors
     /// P_global is not defined there.
     pub fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
-        let map = global_map::<O, 2>(&oscillator, AtRest::new(0.0, phase), None)?.jet;
-        Ok(Self { oscillator, phase, slopes: slopes(&map), map })
+        Self::through(oscillator, phase, Passage::direct())
+    }
+
+    /// As [`at`](Self::at), of an orbit that may have impacts elsewhere.
+    ///
+    /// # Errors
+    /// As [`at`](Self::at).
+    pub fn through(oscillator: O, phase: f64, passage: Passage) -> Result<Self, GrazingOrbitError> {
+        let mut way = passage.clone();
+        let (map, impacts) = way.global_map::<O, 2>(&oscillator, AtRest::new(0.0, phase))?;
+        let passage = settled(passage, way);
+        Ok(Self { oscillator, phase, slopes: slopes(&map), map, passage, impacts })
     }
 
     /// The place of the orbit on the grazing curve.
     pub fn place(&self) -> GrazingPlace {
-        GrazingPlace { phase: self.phase, parameters: self.oscillator.parameters(), slopes: self.slopes }
+        let parameters = self.oscillator.parameters();
+        let passage = self.passage.clone();
+        GrazingPlace { phase: self.phase, parameters, slopes: self.slopes, passage }
+    }
+
+    /// The way of the orbit from Π back to Π.
+    pub fn passage(&self) -> &Passage {
+        &self.passage
+    }
+
+    /// The impacts of the orbit elsewhere, in the order of time.
+    pub fn impacts(&self) -> &[OnWall] {
+        &self.impacts
+    }
+
+    /// The highest maximum of x between the impacts elsewhere, or −∞ if there is none; the one that
+    /// touches the wall is one of them.
+    pub fn ceiling(&self) -> f64 {
+        let recoils = self.impacts.iter().map(|&impact| self.oscillator.reset::<1>(impact).image().into());
+        let starts = [State::on_wall(0.0, self.phase)].into_iter().chain(recoils);
+        let flights = starts.zip(self.passage.times(&self.oscillator));
+        let tops = flights.filter_map(|(from, time)| self.oscillator.motion(from).highest_maximum(time));
+        tops.map(|top| top.position).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The oscillator at grazing.
@@ -222,7 +296,13 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// # Errors
     /// An iterate of P_global is not defined.
     pub fn second_phase_derivative(&self, loops: u32) -> Result<f64, MapError> {
-        Ok(global_iterate::<O, 2>(&self.oscillator, loops, AtRest::new(0.0, self.phase))?.hessians[0][(1, 1)])
+        let mut jet = MapJet::identity(AtRest::new(0.0, self.phase));
+        let mut passage = self.passage.clone();
+        for _ in 0..loops {
+            let (next, _) = passage.global_map::<O, 2>(&self.oscillator, jet.image())?;
+            jet = next.after::<2, _>(&jet);
+        }
+        Ok(jet.hessians[0][(1, 1)])
     }
 
     /// All quantities in the formulas for c_SN,p and c_PD,p. Paper: section 2.6.

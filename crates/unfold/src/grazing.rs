@@ -7,9 +7,10 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd, across};
-use grazing_continuation::mps::{Multipliers, PeriodicSolution, unknown};
+use grazing_continuation::curve::{Curve, CurvePoint};
+use grazing_continuation::mps::{LoopEquations, Multipliers, PeriodicSolution, unknown};
 use grazing_continuation::newton::{Linearisation, NewtonFailure};
-use grazing_model::maps::{MapError, global_map};
+use grazing_model::maps::{MapError, Passage};
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, State};
 use grazing_theorems::GrazingPoint;
@@ -66,7 +67,8 @@ impl GrazingCurve {
     /// # Errors
     /// The curve has no unique tangent at the orbit.
     pub fn through(orbit: &GrazingOrbit, scope: &Scope, periods: u32) -> Result<Self, Stall<MapError>> {
-        let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0 };
+        let passage = orbit.passage().clone();
+        let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0, passage };
         let start = scope.place(orbit);
         let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
         let leaves = |before: &Vector3<f64>, (after, tangent): &Tangent<3>| {
@@ -89,6 +91,28 @@ impl GrazingCurve {
             }
         }
         Ok(Self { states, ends, periods })
+    }
+
+    /// The curve along which MPSs touch the wall, as a curve of grazing bifurcations of motion that has an
+    /// impact elsewhere.
+    pub fn of_impacting(equations: &LoopEquations, curve: &Curve, scope: &Scope) -> Self {
+        let ends = [WalkEnd::LeftWindow, WalkEnd::LeftWindow];
+        let mut states: Vec<GrazingState> = Vec::with_capacity(curve.points.len());
+        for CurvePoint { solution, times } in &curve.points {
+            let Some(orbit) = equations.touching_orbit(&solution.unknowns, times) else { continue };
+            let passage = orbit.passage().clone();
+            let equations =
+                GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0, passage };
+            let place = scope.place(&orbit);
+            let onwards = states.last().map_or(Vector3::z(), |last| place - scope.place(&last.orbit));
+            let state = equations.tangent(&place, &onwards).and_then(|tangent| equations.state(&place, &tangent));
+            let Some(state) = state else { continue };
+            if let Some(last) = states.pop() {
+                equations.fill(last, &state, HALVINGS, &mut states);
+            }
+            states.push(state);
+        }
+        Self { states, ends, periods: 1 }
     }
 
     /// The parameters (μ, η) along the curve.
@@ -130,7 +154,8 @@ pub(crate) fn interpolated(neighbours: &[GrazingState], secondary: f64) -> Optio
     let [[a, from], [b, to]] = [first, last].map(|orbit| orbit.oscillator().parameters());
     let way = if to == from { 0.0 } else { (secondary - from) / (to - from) };
     let near = first.oscillator().with_parameters([a + (b - a) * way, secondary]);
-    GrazingPlace::find(&near, first.phase() + (last.phase() - first.phase()) * way).ok()
+    let phase = first.phase() + (last.phase() - first.phase()) * way;
+    GrazingPlace::along(&near, phase, first.passage().clone()).ok()
 }
 
 /// The highest point of periodic motion without impacts.
@@ -151,7 +176,8 @@ impl HighestPoint {
     /// The highest point of the same height near this place, with one of the parameters held.
     pub(crate) fn located(&self, oscillator: &AnyOscillator, scope: &Scope, held: usize) -> Option<Self> {
         let Self { height, phase, parameters } = *self;
-        let equations = GrazingEquations { oscillator, scope, height };
+        let passage = Passage::direct();
+        let equations = GrazingEquations { oscillator, scope, height, passage };
         let [primary, secondary] = scope.window.shares(parameters);
         let near = Vector3::new(phase, primary, secondary);
         let direction = if held == unknown::PRIMARY { Vector3::y() } else { Vector3::z() };
@@ -196,22 +222,28 @@ struct GrazingEquations<'a> {
     oscillator: &'a AnyOscillator,
     scope: &'a Scope,
     height: f64,
+    /// The way of an orbit of the curve.
+    passage: Passage,
 }
 
 impl CurveEquations<3> for GrazingEquations<'_> {
-    /// The return time of P_global.
-    type Carried = Option<f64>;
+    /// The way of the last orbit.
+    type Carried = Option<Passage>;
     type Failure = MapError;
 
-    fn evaluate(&self, point: &Vector3<f64>, time: &mut Option<f64>) -> Result<Linearisation<3>, MapError> {
+    fn evaluate(
+        &self,
+        point: &Vector3<f64>,
+        passage: &mut Option<Passage>,
+    ) -> Result<Linearisation<3>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let landing = global_map::<_, 1>(&oscillator, AtRest::new(self.height, point[0]), *time)?;
-        *time = Some(landing.time);
+        let passage = passage.get_or_insert_with(|| self.passage.clone());
+        let (jet, _) = passage.global_map::<_, 1>(&oscillator, AtRest::new(self.height, point[0]))?;
         let [primary, secondary] = self.scope.window.widths();
-        let jacobian = landing.jet.jacobian;
+        let jacobian = jet.jacobian;
         let mut system = Linearisation { residual: Vector3::zeros(), jacobian: Matrix3::zeros() };
         for i in 0..2 {
-            system.residual[i] = landing.jet.value[i];
+            system.residual[i] = jet.value[i];
             system.jacobian[(i, 0)] = jacobian[(i, 1)];
             system.jacobian[(i, 1)] = jacobian[(i, 2)] * primary;
             system.jacobian[(i, 2)] = jacobian[(i, 3)] * secondary;
@@ -288,7 +320,8 @@ impl GrazingEquations<'_> {
     fn fill(&self, from: GrazingState, to: &GrazingState, halvings: u32, states: &mut Vec<GrazingState>) {
         let gap = self.scope.place(&to.orbit) - self.scope.place(&from.orbit);
         let turn = from.turn(gap.norm()).max(to.turn(gap.norm()));
-        let middle = if turn > TURN && halvings > 0 { self.middle(&from, &gap) } else { None };
+        let nearby = || Self { passage: from.orbit.passage().clone(), ..*self };
+        let middle = if turn > TURN && halvings > 0 { nearby().middle(&from, &gap) } else { None };
         let Some(middle) = middle else { return states.push(from) };
         self.fill(from, &middle, halvings - 1, states);
         self.fill(middle, to, halvings - 1, states);
@@ -314,21 +347,36 @@ impl GrazingEquations<'_> {
         WalkEnd::Stalled(Stall { step: 0.0, failure: NewtonFailure::Undefined { iteration: 1, cause } })
     }
 
+    /// The grazing orbit at a point; `None` where P_global has no second derivatives.
+    fn orbit(&self, point: &Vector3<f64>) -> Option<GrazingOrbit> {
+        GrazingOrbit::through(self.oscillator_at(point), point[0], self.passage.clone()).ok()
+    }
+
     /// The state at a point; `None` where P_global has no second derivatives, or motion is not
     /// turned back from the wall.
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState> {
-        let mut orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
-        let admissible = |orbit: &GrazingOrbit| HighestPoint::of(orbit).is_highest(orbit.oscillator());
+        let mut orbit = self.orbit(point)?;
+        let admissible = |orbit: &GrazingOrbit| match orbit.impacts() {
+            [] => HighestPoint::of(orbit).is_highest(orbit.oscillator()),
+            _ => orbit.ceiling() <= PeriodicSolution::TOUCH,
+        };
         // In wide ranges the last digits of a fraction may appear as a difference in the next
         // maximum, which is the same one.
         if !admissible(&orbit) {
-            orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);
+            let (there, passage) = (orbit.oscillator(), orbit.passage().clone());
+            orbit = GrazingOrbit::along(there, orbit.phase(), passage).unwrap_or(orbit);
         }
         let GrazingPoint { gamma, .. } = orbit.grazing_point();
         let [primary, secondary] = self.scope.window.widths();
         let admissible = admissible(&orbit);
         // At the limit of integration steps there are no values, and earlier ones are uncertain.
-        let multipliers = multipliers(orbit.oscillator(), orbit.phase());
+        let multipliers = match orbit.impacts() {
+            [] => multipliers(orbit.oscillator(), orbit.phase()),
+            _ => {
+                let map = orbit.grazing_point().map;
+                Multipliers { trace: map.trace(), determinant: map.determinant() }
+            }
+        };
         (gamma > 0.0 && multipliers.trace.is_finite()).then(|| GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
             multipliers,

@@ -7,6 +7,7 @@ mod corners;
 mod damped;
 mod examples;
 mod family;
+mod generations;
 mod hard;
 mod levels;
 mod one_parameter;
