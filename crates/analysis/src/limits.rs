@@ -1,6 +1,6 @@
 //! Beyond the paper: the limit map at resonances, and solutions computed near them.
 
-use grazing_continuation::doubled::{Doubled, DoubledEquations};
+use grazing_continuation::doubled::DoubledEquations;
 use grazing_continuation::mps::unknown;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_results::{row, tables};
@@ -66,9 +66,10 @@ fn doubled_grazing(resonance: &LocatedResonance, size: f64) -> Option<f64> {
     let (map, scale) = (point.limit_map(), point.limit_scale());
     let [velocity, _] = map.period_doubling();
     let eta = size / (scale.velocity * velocity);
-    let guess = Doubled::near_resonance(resonance, eta, map.grazing_gap()).ok()?;
-    let (grazing, _) = DoubledEquations::new(resonance.equations()).grazing(guess)?;
+    let equations = DoubledEquations::new(resonance.equations());
+    let guess = equations.near_resonance(resonance, eta, map.grazing_gap()).ok()?;
+    let (grazing, _) = equations.grazing(guess)?;
     let (still, _) = map.fixed_point(velocity);
     let from = resonance.near(eta, 0.0, still).ok()?[unknown::PRIMARY];
-    Some((grazing.primary() - from) / (eta * eta))
+    Some((grazing[unknown::PRIMARY] - from) / (eta * eta))
 }

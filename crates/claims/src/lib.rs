@@ -36,7 +36,7 @@ use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, PeriodicSolution, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, Multipliers, PeriodicSolution, Round, Unknowns, unknown,
 };
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::{MapError, discontinuity_map, global_iterate, global_map, virtual_map};

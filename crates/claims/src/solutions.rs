@@ -33,7 +33,7 @@ pub(crate) fn branch<O: ImpactOscillator>(
 
 /// V at a point.
 pub(crate) fn vivid(equations: &LoopEquations<Specimen>, point: &Unknowns) -> Option<Vector2<f64>> {
-    Some(equations.pair::<1>(point, &mut EventTimes::default()).ok()?.difference().0)
+    Some(equations.maps::<1>(point, &mut EventTimes::default()).ok()?.first().difference().0)
 }
 
 /// The MPS that satisfies two conditions, by Newton's method from a start.
@@ -47,7 +47,7 @@ pub(crate) fn located<O: ImpactOscillator>(
 
 /// The MPS at the parameters of a start.
 pub(crate) fn at_parameters(equations: &LoopEquations<Specimen>, start: Unknowns) -> Option<Unknowns> {
-    let [_, _, primary, secondary] = start.into();
+    let [_, _, primary, secondary] = start.clone().into();
     located(equations, [Condition::Primary(primary), Condition::Secondary(secondary)], start)
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn at_velocity<O: ImpactOscillator>(
     near: &Unknowns,
     velocity: f64,
 ) -> Option<Unknowns> {
-    let mut start = *near;
+    let mut start = near.clone();
     start[unknown::VELOCITY] = velocity;
     let conditions = [Condition::ImpactVelocity(velocity), Condition::Secondary(start[unknown::SECONDARY])];
     located(equations, conditions, start)

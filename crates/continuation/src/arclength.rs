@@ -15,14 +15,14 @@
 use core::f64::consts::TAU;
 use core::fmt;
 
-use nalgebra::{Const, DimMin, LU, SVector};
-
-use crate::newton::{self, Linearisation, NewtonFailure};
+use crate::newton::{self, Linearisation, NewtonFailure, Space};
 use crate::regula_falsi::zero_between;
 use crate::tolerances::{self, CORRECTIONS, EVALUATIONS, FARTHEST_CORRECTION};
 
 /// N − 1 smooth equations in N unknowns.
-pub trait CurveEquations<const N: usize> {
+pub trait CurveEquations {
+    /// The unknowns.
+    type Point: Space;
     /// State that the equations carry from point to point along the curve, such as the times of
     /// events.
     type Carried: Clone;
@@ -35,9 +35,9 @@ pub trait CurveEquations<const N: usize> {
     /// The equations are not defined at `point`.
     fn evaluate(
         &self,
-        point: &SVector<f64, N>,
+        point: &Self::Point,
         carried: &mut Self::Carried,
-    ) -> Result<Linearisation<N>, Self::Failure>;
+    ) -> Result<Linearisation<Self::Point>, Self::Failure>;
 
     /// Whether the state carried from the last evaluation may change with one more correction, so
     /// that a rough point is not enough.
@@ -46,12 +46,12 @@ pub trait CurveEquations<const N: usize> {
     }
 
     /// The unit of each unknown in lengths of steps and in turns.
-    fn units(&self) -> SVector<f64, N> {
-        SVector::repeat(1.0)
+    fn units(&self, point: &Self::Point) -> Self::Point {
+        point.filled(1.0)
     }
 
     /// Called with every accepted point, to bring the carried state up to it.
-    fn settle(&self, _point: &SVector<f64, N>, _carried: &mut Self::Carried) {}
+    fn settle(&self, _point: &Self::Point, _carried: &mut Self::Carried) {}
 }
 
 /// Control of the step length. All lengths are in the Euclidean norm of the unknowns, each divided
@@ -86,11 +86,11 @@ impl StepControl {
 
 /// A point on the curve.
 #[derive(Clone, Debug)]
-pub struct Station<const N: usize, M> {
+pub struct Station<V, M> {
     /// The unknowns.
-    pub point: SVector<f64, N>,
+    pub point: V,
     /// The tangent, pointing onwards, of length one with each unknown divided by its unit.
-    pub tangent: SVector<f64, N>,
+    pub tangent: V,
     /// The state that the equations carry at this point.
     pub carried: M,
 }
@@ -107,20 +107,20 @@ pub struct Stall<E> {
 
 /// A continuation in progress.
 #[derive(Clone, Debug)]
-pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
+pub struct Continuation<'a, C: CurveEquations> {
     equations: &'a C,
     control: StepControl,
     /// The unit of each unknown: all lengths are taken after division by these.
-    units: SVector<f64, N>,
-    here: Station<N, C::Carried>,
+    units: C::Point,
+    here: Station<C::Point, C::Carried>,
     step: f64,
     /// The last point and its tangent, in these units, and the previous ones.
-    counted: Tangent<N>,
-    past: Option<Tangent<N>>,
+    counted: Tangent<C::Point>,
+    past: Option<Tangent<C::Point>>,
 }
 
 /// A new station and the angle by which the tangent turned on the way.
-type Attempt<const N: usize, M> = (Station<N, M>, f64);
+type Attempt<V, M> = (Station<V, M>, f64);
 
 /// A step is repeated if the tangent turns by more than this multiple of the target angle
 /// (empirical).
@@ -135,10 +135,7 @@ const NOT_FOUND: f64 = 0.25;
 /// (empirical).
 const SHORT: f64 = 4.0;
 
-impl<'a, const N: usize, C: CurveEquations<N>> Continuation<'a, N, C>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+impl<'a, C: CurveEquations> Continuation<'a, C> {
     /// Starts at a point of the curve, in the direction closer to `direction`.
     ///
     /// # Errors
@@ -146,19 +143,20 @@ where
     pub fn new(
         equations: &'a C,
         control: StepControl,
-        start: SVector<f64, N>,
-        direction: SVector<f64, N>,
+        start: C::Point,
+        direction: C::Point,
         mut carried: C::Carried,
     ) -> Result<Self, Stall<C::Failure>> {
         let stall = |failure| Stall { step: 0.0, failure };
-        let units = equations.units();
+        let units = equations.units(&start);
         let counted = start.component_div(&units);
         let linearisation = in_units(equations, &units, &counted, &mut carried)
             .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
         let residual = linearisation.residual.norm();
-        let bordered = linearisation.bordered(0.0, &direction.component_div(&units)).jacobian;
-        let tangent =
-            tangent(&bordered.lu()).ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
+        let tangent = linearisation
+            .bordered(0.0, &direction.component_div(&units))
+            .null_direction()
+            .ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
         equations.settle(&start, &mut carried);
         let here = Station { point: start, tangent: tangent.component_mul(&units), carried };
         Ok(Self {
@@ -173,7 +171,7 @@ where
     }
 
     /// The last point found.
-    pub fn here(&self) -> &Station<N, C::Carried> {
+    pub fn here(&self) -> &Station<C::Point, C::Carried> {
         &self.here
     }
 
@@ -186,7 +184,7 @@ where
     ///
     /// # Errors
     /// Even the shortest step failed.
-    pub fn advance(&mut self) -> Result<&Station<N, C::Carried>, Stall<C::Failure>> {
+    pub fn advance(&mut self) -> Result<&Station<C::Point, C::Carried>, Stall<C::Failure>> {
         loop {
             match self.attempt() {
                 Ok((next, angle))
@@ -197,12 +195,12 @@ where
                         (self.control.turn / angle.max(f64::MIN_POSITIVE)).clamp(GROWTH[0], GROWTH[1]);
                     self.step = (self.step * growth).clamp(self.control.shortest, self.control.longest);
                     let Station { point, tangent, carried } = next;
-                    self.past = Some(core::mem::replace(&mut self.counted, (point, tangent)));
                     self.here = Station {
                         point: point.component_mul(&self.units),
                         tangent: tangent.component_mul(&self.units),
                         carried,
                     };
+                    self.past = Some(core::mem::replace(&mut self.counted, (point, tangent)));
                     return Ok(&self.here);
                 }
                 Ok(_) => self.step *= TURNED,
@@ -219,27 +217,28 @@ where
 
     /// The cubic through the last two points with their tangents, extrapolated to the plane of the
     /// corrector.
-    fn predict(&self) -> SVector<f64, N> {
-        let (point, tangent) = &self.counted;
+    fn predict(&self) -> C::Point {
+        let (point, tangent) = self.counted.clone();
         let step = self.step;
-        let Some((past, past_tangent)) = &self.past else { return point + tangent * step };
-        let gap = (point - past).norm();
-        let a = (past - point + tangent * gap) / (gap * gap);
-        let b = (tangent - past_tangent) / gap;
+        let Some((past, past_tangent)) = self.past.clone() else { return point + tangent * step };
+        let gap = (point.clone() - past.clone()).norm();
+        let a = (past - point.clone() + tangent.clone() * gap) / (gap * gap);
+        let b = (tangent.clone() - past_tangent) / gap;
         let ratio = step / gap;
-        let bend = (a * 3.0 - b + (a * 2.0 - b) * ratio) * (step * step);
-        point + tangent * (step - tangent.dot(&bend)) + bend
+        let bend = (a.clone() * 3.0 - b.clone() + (a * 2.0 - b) * ratio) * (step * step);
+        let along = step - tangent.dot(&bend);
+        point + tangent * along + bend
     }
 
     /// One predictor and corrector: the new station, with its unknowns divided by their units, and
     /// the angle between the two tangents.
-    fn attempt(&self) -> Result<Attempt<N, C::Carried>, NewtonFailure<C::Failure>> {
+    fn attempt(&self) -> Result<Attempt<C::Point, C::Carried>, NewtonFailure<C::Failure>> {
         let (origin, along) = &self.counted;
         let mut carried = self.here.carried.clone();
-        let corrected = |near: SVector<f64, N>, tolerance: f64, carried: &mut C::Carried| {
+        let corrected = |near: C::Point, tolerance: f64, carried: &mut C::Carried| {
             newton::solve_within(FARTHEST_CORRECTION * self.step, tolerance, near, CORRECTIONS, |point| {
                 let system = in_units(self.equations, &self.units, point, carried)?;
-                Ok(system.bordered(along.dot(&(point - origin)) - self.step, along))
+                Ok(system.bordered(along.dot(&(point.clone() - origin.clone())) - self.step, along))
             })
         };
         let mut solution = corrected(self.predict(), self.control.tolerance, &mut carried)?;
@@ -248,7 +247,9 @@ where
         }
         // The last corrector's matrix is bordered with the old tangent: its factors give the new
         // one as well.
-        let tangent = tangent(&solution.factors)
+        let tangent = solution
+            .point
+            .null_direction(&solution.factors)
             .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;
         self.equations.settle(&solution.point.component_mul(&self.units), &mut carried);
         let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
@@ -257,34 +258,29 @@ where
 }
 
 /// The equations at a point whose unknowns are divided by their units.
-fn in_units<const N: usize, C: CurveEquations<N>>(
+fn in_units<C: CurveEquations>(
     equations: &C,
-    units: &SVector<f64, N>,
-    counted: &SVector<f64, N>,
+    units: &C::Point,
+    counted: &C::Point,
     carried: &mut C::Carried,
-) -> Result<Linearisation<N>, C::Failure> {
+) -> Result<Linearisation<C::Point>, C::Failure> {
     let mut linearisation = equations.evaluate(&counted.component_mul(units), carried)?;
-    for (mut column, unit) in linearisation.jacobian.column_iter_mut().zip(units.iter()) {
-        column.scale_mut(*unit);
-    }
+    units.scale_columns(&mut linearisation.jacobian);
     Ok(linearisation)
 }
 
 /// The point of a curve near `near`, in the plane through another point across a direction; `None`
 /// where Newton's method fails.
-pub fn across<const N: usize, C: CurveEquations<N, Carried: Default>>(
+pub fn across<C: CurveEquations<Carried: Default>>(
     equations: &C,
-    near: SVector<f64, N>,
-    direction: &SVector<f64, N>,
-    through: &SVector<f64, N>,
-) -> Option<newton::Solution<N>>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+    near: C::Point,
+    direction: &C::Point,
+    through: &C::Point,
+) -> Option<newton::Solution<C::Point>> {
     let mut carried = C::Carried::default();
     let found = newton::solve(near, EVALUATIONS, |point| {
         let system = equations.evaluate(point, &mut carried)?;
-        Ok::<_, C::Failure>(system.bordered(direction.dot(&(point - through)), direction))
+        Ok::<_, C::Failure>(system.bordered(direction.dot(&(point.clone() - through.clone())), direction))
     });
     found.ok()
 }
@@ -292,18 +288,17 @@ where
 /// The value that `measure` returns at the point, between two points of a curve, where the number
 /// returned with it vanishes; `None` if that number has the same sign at both, or the point is not
 /// found.
-pub(crate) fn zero_on<const N: usize, T, C: CurveEquations<N, Carried: Default>>(
+pub(crate) fn zero_on<T, C: CurveEquations<Carried: Default>>(
     equations: &C,
-    [a, b]: [SVector<f64, N>; 2],
-    measure: impl Fn(newton::Solution<N>) -> Option<(T, f64)>,
+    [a, b]: [C::Point; 2],
+    measure: impl Fn(newton::Solution<C::Point>) -> Option<(T, f64)>,
     enough: f64,
-) -> Option<T>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+) -> Option<T> {
+    let chord = b - a.clone();
+    let direction = chord.clone() / chord.norm();
     let at = |share: f64| {
-        let start = a + (b - a) * share;
-        measure(across(equations, start, &(b - a).normalize(), &start)?)
+        let start = a.clone() + chord.clone() * share;
+        measure(across(equations, start.clone(), &direction, &start)?)
     };
     let values = [at(0.0)?.1, at(1.0)?.1];
     if values[0] * values[1] >= 0.0 {
@@ -340,11 +335,11 @@ impl<E: fmt::Display> WalkEnd<E> {
 }
 
 /// A point of a curve and the unit tangent there.
-pub type Tangent<const N: usize> = (SVector<f64, N>, SVector<f64, N>);
+pub type Tangent<V> = (V, V);
 
 /// The settings with which a curve is followed from end to end.
 #[derive(Clone, Copy, Debug)]
-pub struct Walk<'a, const N: usize, C> {
+pub struct Walk<'a, C> {
     /// The curve's equations.
     pub equations: &'a C,
     /// Control of the step length.
@@ -361,12 +356,9 @@ pub struct Walk<'a, const N: usize, C> {
 pub const FEWEST_OF_A_LOOP: usize = 10;
 
 /// The points of a curve in order, and how it ends.
-type Walked<const N: usize, E, T> = Result<(Vec<Tangent<N>>, T), Stall<E>>;
+type Walked<V, E, T> = Result<(Vec<Tangent<V>>, T), Stall<E>>;
 
-impl<const N: usize, C: CurveEquations<N, Carried: Default>> Walk<'_, N, C>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
+impl<C: CurveEquations<Carried: Default>> Walk<'_, C> {
     /// The points on both sides of `start`, in the order of `direction`, and the ends before the
     /// first and after the last point.
     ///
@@ -377,11 +369,11 @@ where
     /// The curve cannot be started.
     pub fn both_ways(
         &self,
-        start: SVector<f64, N>,
-        direction: SVector<f64, N>,
-        leaves: impl Fn(&SVector<f64, N>, &Tangent<N>) -> Option<Tangent<N>>,
-    ) -> Walked<N, C::Failure, [WalkEnd<C::Failure>; 2]> {
-        let (mut after, last) = self.one_way(start, direction, &leaves)?;
+        start: C::Point,
+        direction: C::Point,
+        leaves: impl Fn(&C::Point, &Tangent<C::Point>) -> Option<Tangent<C::Point>>,
+    ) -> Walked<C::Point, C::Failure, [WalkEnd<C::Failure>; 2]> {
+        let (mut after, last) = self.one_way(start.clone(), direction.clone(), &leaves)?;
         if matches!(last, WalkEnd::Closed) {
             return Ok((after, [last, last]));
         }
@@ -389,25 +381,25 @@ where
         // The start is in both lists; tangents point onwards.
         points.reverse();
         points.pop();
-        points.iter_mut().for_each(|(_, tangent)| *tangent = -*tangent);
+        points.iter_mut().for_each(|(_, tangent)| *tangent = -tangent.clone());
         points.append(&mut after);
         Ok((points, [first, last]))
     }
 
     fn one_way(
         &self,
-        start: SVector<f64, N>,
-        direction: SVector<f64, N>,
-        leaves: impl Fn(&SVector<f64, N>, &Tangent<N>) -> Option<Tangent<N>>,
-    ) -> Walked<N, C::Failure, WalkEnd<C::Failure>> {
+        start: C::Point,
+        direction: C::Point,
+        leaves: impl Fn(&C::Point, &Tangent<C::Point>) -> Option<Tangent<C::Point>>,
+    ) -> Walked<C::Point, C::Failure, WalkEnd<C::Failure>> {
         let carried = C::Carried::default();
-        let mut walker = Continuation::new(self.equations, self.control, start, direction, carried)?;
-        let first = (start, walker.here().tangent);
-        let mut points = vec![first];
+        let mut walker = Continuation::new(self.equations, self.control, start.clone(), direction, carried)?;
+        let first = (start, walker.here().tangent.clone());
+        let mut points = vec![first.clone()];
         while points.len() < self.step_limit {
-            let before = walker.here().point;
+            let before = walker.here().point.clone();
             let next = match walker.advance() {
-                Ok(station) => (station.point, station.tangent),
+                Ok(station) => (station.point.clone(), station.tangent.clone()),
                 Err(stall) => return Ok((points, WalkEnd::Stalled(stall))),
             };
             if let Some(edge) = leaves(&before, &next) {
@@ -415,7 +407,7 @@ where
                 return Ok((points, WalkEnd::LeftWindow));
             }
             if points.len() > FEWEST_OF_A_LOOP
-                && let Some(back) = back_at(first, [&before, &next.0], self.control.turn, self.angle)
+                && let Some(back) = back_at(first.clone(), [&before, &next.0], self.control.turn, self.angle)
             {
                 points.push((back, first.1));
                 return Ok((points, WalkEnd::Closed));
@@ -429,39 +421,26 @@ where
 /// The start of a curve, if the curve returns to it between two of its points, with the angle among
 /// the unknowns increased by the whole turns made since. `onwards` is the direction in which the
 /// curve left the start.
-pub fn back_at<const N: usize>(
-    (start, onwards): Tangent<N>,
-    [before, after]: [&SVector<f64, N>; 2],
+pub fn back_at<V: Space>(
+    (start, onwards): Tangent<V>,
+    [before, after]: [&V; 2],
     turn: f64,
     angle: Option<usize>,
-) -> Option<SVector<f64, N>> {
-    let gap = |point: &SVector<f64, N>| {
-        let mut gap = point - start;
+) -> Option<V> {
+    let gap = |point: &V| {
+        let mut gap = point.clone() - start.clone();
         if let Some(angle) = angle {
             gap[angle] = libm::remainder(gap[angle], TAU);
         }
         gap
     };
     let [past, now] = [gap(before), gap(after)];
-    let near = past.norm().max(now.norm()) <= (after - before).norm() * (1.0 + turn);
+    let near = past.norm().max(now.norm()) <= (after.clone() - before.clone()).norm() * (1.0 + turn);
     (near && past.dot(&onwards) < 0.0 && now.dot(&onwards) >= 0.0).then(|| {
-        let mut back = start;
+        let mut back = start.clone();
         if let Some(angle) = angle {
             back[angle] = after[angle] - now[angle];
         }
         back
     })
-}
-
-/// The unit null vector of the first N − 1 rows of a matrix, at an acute angle with its last row,
-/// computed from the matrix's factors.
-fn tangent<const N: usize>(factors: &LU<f64, Const<N>, Const<N>>) -> Option<SVector<f64, N>>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
-    let mut last = SVector::zeros();
-    last[N - 1] = 1.0;
-    let tangent = factors.solve(&last)?;
-    let norm = tangent.norm();
-    (norm.is_finite() && norm > 0.0).then(|| tangent / norm)
 }

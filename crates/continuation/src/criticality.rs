@@ -1,7 +1,7 @@
 //! The normal form of period doublings of MPSs: the orbits that they create, and on which side.
 //!
 //! The impacts (y, z) of orbits with p loops from each to the next follow a map U. The two maps of
-//! a [`LoopPair`] define it implicitly: L(U(X)) = R(X), where R leads through recoil and loops to
+//! a [`LoopPair`](crate::mps::LoopPair) define it implicitly: L(U(X)) = R(X), where R leads through recoil and loops to
 //! the plane of constant phase and L straight on. The orbits of double period lie on an invariant
 //! curve X(s) through the impact X₀ of the MPS, on which U is a map g of one variable: R(X(s)) =
 //! L(X(g(s))). Both are found order by order in s from the derivatives of L and R along curves
@@ -31,7 +31,7 @@ use nalgebra::Vector2;
 use crate::arclength::zero_on;
 use crate::curve::{Curve, CurvePoint, SolutionCurve};
 use crate::locate::Condition;
-use crate::mps::{Formulation, LoopEquations, LoopPair, PeriodicSolution, Unknowns, unknown};
+use crate::mps::{Formulation, LoopEquations, PeriodicSolution, Round, Unknowns, planes, unknown};
 use crate::newton::Solution;
 use crate::tolerances::LOCATED;
 pub use normal_form::{Germ, ImplicitMap};
@@ -42,6 +42,9 @@ pub enum CriticalityError {
     /// y = 0: an MPS has no multipliers there.
     #[error("the impact velocity is zero, where a maximal periodic solution has no multipliers")]
     Grazing,
+    /// There are several impacts, for which no normal form is known here.
+    #[error("the normal form is computed for solutions with one impact")]
+    SeveralImpacts,
     /// The point is no zero of the equations.
     #[error(
         "there is no maximal periodic solution: the two ways to the plane of comparison end {distance:.1e} apart"
@@ -89,14 +92,14 @@ impl PeriodDoubling {
 pub fn changes<O: ThirdOrder>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<PeriodicSolution> {
     let equations = equations.with_formulation(Formulation::FixedPhase);
     let flips = SolutionCurve { equations: equations.clone(), condition: Condition::PERIOD_DOUBLING };
-    let measure = |solution: Solution<4>| {
+    let measure = |solution: Solution<Unknowns>| {
         let form = period_doubling(&equations, &solution.point).ok()?;
         let velocity = solution.point[unknown::VELOCITY] / form.direction[0];
         let value = velocity * velocity * form.coefficient;
         Some(((solution.point, value), value))
     };
     let change = |pair: &[CurvePoint]| {
-        let ends = [0, 1].map(|k: usize| pair[k].solution.unknowns);
+        let ends = [0, 1].map(|k: usize| pair[k].solution.unknowns.clone());
         let (point, value) = zero_on(&flips, ends, measure, 0.0)?;
         // The coefficient may also change sign through infinity.
         (value.abs() < LOCATED).then(|| equations.solution(&point))
@@ -115,7 +118,8 @@ pub fn period_doubling<O: ThirdOrder>(
     equations: &LoopEquations<O>,
     point: &Unknowns,
 ) -> Result<PeriodDoubling, CriticalityError> {
-    let pair = flipping(equations, point)?;
+    let maps = flipping(equations, point)?;
+    let pair = maps.first();
     let oscillator = equations.oscillator_at(point);
     let plane = point[unknown::PHASE];
     let turns = f64::from(equations.loops()) * core::f64::consts::TAU;
@@ -133,21 +137,24 @@ pub fn period_doubling<O: ThirdOrder>(
     Ok(map.flip())
 }
 
-/// The pair of maps at an MPS with a simple multiplier −1 and no other ±1.
+/// The maps at an MPS with a simple multiplier −1 and no other ±1.
 fn flipping<O: ThirdOrder>(
     equations: &LoopEquations<O>,
     point: &Unknowns,
-) -> Result<LoopPair, CriticalityError> {
+) -> Result<Round, CriticalityError> {
     if point[unknown::VELOCITY] == 0.0 {
         return Err(CriticalityError::Grazing);
     }
-    let pair = equations.fixed_phase_pair::<1>(point, point[unknown::PHASE], &equations.motion(point));
-    let distance = (pair.round_trip.value - pair.impact.value).norm();
+    if point.impacts() > 1 {
+        return Err(CriticalityError::SeveralImpacts);
+    }
+    let maps = equations.fixed_phase_maps::<1>(point, &planes(point), &equations.flights(point));
+    let distance = maps.distance();
     if distance.is_nan() || distance > LOCATED {
         return Err(CriticalityError::NotPeriodic { distance });
     }
     // With the multipliers λ₁ and λ₂: 1 + T + D is (1 + λ₁)(1 + λ₂).
-    let multipliers = pair.multipliers();
+    let multipliers = maps.multipliers();
     let other = -multipliers.determinant;
     if [1.0, -1.0].into_iter().any(|unit| (other - unit).abs() < LOCATED) {
         return Err(CriticalityError::Degenerate { other });
@@ -157,5 +164,5 @@ fn flipping<O: ThirdOrder>(
     if distance.is_nan() || distance > LOCATED {
         return Err(CriticalityError::NotABifurcation { distance });
     }
-    Ok(pair)
+    Ok(maps)
 }

@@ -24,13 +24,18 @@ pub struct SolutionCurve<O = AnyOscillator> {
     pub condition: Condition,
 }
 
-impl<O: ImpactOscillator> CurveEquations<4> for SolutionCurve<O> {
+impl<O: ImpactOscillator> CurveEquations for SolutionCurve<O> {
+    type Point = Unknowns;
     type Carried = EventTimes;
     type Failure = MapError;
 
-    fn evaluate(&self, point: &Unknowns, times: &mut EventTimes) -> Result<Linearisation<4>, MapError> {
-        let (system, pair) = conditioned(&self.equations, self.condition, false, point, times)?;
-        let stability = pair.stability();
+    fn evaluate(
+        &self,
+        point: &Unknowns,
+        times: &mut EventTimes,
+    ) -> Result<Linearisation<Unknowns>, MapError> {
+        let (system, maps) = conditioned(&self.equations, self.condition, false, point, times)?;
+        let stability = maps.stability();
         times.unsettled = times.stability.is_some_and(|before| stability.is_unsettled_since(&before));
         times.stability = Some(stability);
         Ok(system)
@@ -40,8 +45,8 @@ impl<O: ImpactOscillator> CurveEquations<4> for SolutionCurve<O> {
         times.unsettled
     }
 
-    fn units(&self) -> Unknowns {
-        self.equations.units()
+    fn units(&self, point: &Unknowns) -> Unknowns {
+        self.equations.units(point)
     }
 
     fn settle(&self, point: &Unknowns, times: &mut EventTimes) {

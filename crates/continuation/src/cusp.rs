@@ -6,22 +6,23 @@
 //! directions before and after.
 
 use grazing_model::ImpactOscillator;
-use nalgebra::{Vector2, Vector4};
+use nalgebra::Vector2;
 
 use crate::arclength::zero_on;
 use crate::curve::{Curve, Event, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
-use crate::newton::Solution;
+use crate::newton::{Solution, Space};
 use crate::tolerances::{AT_CUSP, IN_THE_PLANE};
 
 /// The cusps of a saddle-node curve, in the order of the curve. Two within one step are missed.
 pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<Event> {
-    let points: Vec<Unknowns> = curve.points.iter().map(|point| point.solution.unknowns).collect();
-    let forwards = |k: usize| in_plane(&(points[k + 1] - points[k]));
+    let points: Vec<Unknowns> = curve.points.iter().map(|point| point.solution.unknowns.clone()).collect();
+    let forwards = |k: usize| in_plane(&(&points[k + 1] - &points[k]));
     let turns_back = |k: &usize| forwards(*k).dot(&forwards(k + 1)) < 0.0;
     let cusp = |k: usize| {
-        let unknowns = turning_point(equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
+        let unknowns =
+            turning_point(equations, [k, k + 2].map(|k| points[k].clone()), &forwards(k).normalize())?;
         let solution = equations.solution(&unknowns);
         Some(Event { condition: curve.condition, solution, index: k + 1, times: EventTimes::default() })
     };
@@ -40,8 +41,8 @@ fn turning_point<O: ImpactOscillator>(
     forwards: &Vector2<f64>,
 ) -> Option<Unknowns> {
     let folds = SolutionCurve { equations: equations.clone(), condition: Condition::SADDLE_NODE };
-    let measure = |solution: Solution<4>| {
-        let tangent = in_plane(&solution.factors.solve(&Vector4::w())?.normalize());
+    let measure = |solution: Solution<Unknowns>| {
+        let tangent = in_plane(&solution.point.null_direction(&solution.factors)?);
         Some(((solution.point, tangent), tangent.dot(forwards)))
     };
     let (point, tangent) = zero_on(&folds, points, measure, IN_THE_PLANE)?;

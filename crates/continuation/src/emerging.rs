@@ -110,7 +110,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
                 {
                     let curve = SolutionCurve { equations: equations.clone(), condition };
                     return curve
-                        .follow_both_ways(found, Unknowns::x(), &times, route)
+                        .follow_both_ways(found.clone(), found.along(unknown::VELOCITY), &times, route)
                         .map(Some)
                         .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()));
                 }

@@ -157,8 +157,10 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     pub fn direction(&self) -> Unknowns {
         let (orbit, leading) = (self.resonance.orbit(), &self.leading);
         let [by_velocity, by_phase] = [leading.impact_velocity_slope, leading.impact_phase_slope];
-        Unknowns::new(by_velocity, orbit.phase_slope() + by_phase, orbit.primary_slope(), 1.0).normalize()
-            * leading.eta_side.signum()
+        let first = Unknowns::new(by_velocity, orbit.phase_slope() + by_phase, orbit.primary_slope(), 1.0)
+            .normalize();
+        let sign = leading.eta_side.signum();
+        self.equations.with_others(&self.resonance.unknowns(), first * sign)
     }
 
     /// The curve with η and μ as interpolants in y.
@@ -249,17 +251,17 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     fn level(&self, equations: &LoopEquations<O>, reach: f64) -> Result<Level, FitError> {
         let (origin, orbit) = (self.resonance.unknowns(), self.resonance.orbit());
         let direction = self.direction();
-        let tangent = direction / direction[unknown::VELOCITY];
+        let tangent = &direction / direction[unknown::VELOCITY];
         let (mut eta, mut mu) = ([0.0; NODES], [0.0; NODES]);
         // To either side outwards, along the line through the last two points.
         for outwards in [NODES / 2..NODES, 0..NODES / 2] {
             let mut indices: Vec<usize> = outwards.collect();
             indices.sort_by(|a, b| node(*a).abs().total_cmp(&node(*b).abs()));
-            let (mut last, mut along) = (origin, tangent);
+            let (mut last, mut along) = (origin.clone(), tangent.clone());
             let mut times = None;
             for index in indices {
                 let velocity = reach * node(index);
-                let near = last + along * (velocity - last[unknown::VELOCITY]);
+                let near = &last + &along * (velocity - last[unknown::VELOCITY]);
                 let times = times.get_or_insert_with(|| self.times(equations, &near));
                 let conditions = [self.condition, Condition::ImpactVelocity(velocity)];
                 let no_point = |failure| FitError::NoPoint { velocity, failure };
@@ -268,9 +270,10 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
                 point = locate(equations, conditions, point, times).map_err(no_point)?;
                 eta[index] = point[unknown::SECONDARY] - origin[unknown::SECONDARY];
                 let phase = orbit.phase() + orbit.phase_slope() * eta[index];
-                let place = GrazingPlace::find(&equations.oscillator_at(&point), phase)?;
+                let there = equations.oscillator_at(&point);
+                let place = GrazingPlace::along(&there, phase, orbit.passage().clone())?;
                 mu[index] = point[unknown::PRIMARY] - place.parameters[0];
-                along = (point - last) / (velocity - last[unknown::VELOCITY]);
+                along = (&point - &last) / (velocity - last[unknown::VELOCITY]);
                 last = point;
             }
         }

@@ -66,7 +66,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         times: &EventTimes,
         route: &Route<'_>,
     ) -> Result<Curve, Stall<MapError>> {
-        let mut before = self.clone().follow(through, direction, times.clone(), route)?;
+        let mut before = self.clone().follow(through.clone(), direction.clone(), times.clone(), route)?;
         if matches!(before.end, CurveEnd::Closed) {
             return Ok(before);
         }
@@ -241,10 +241,10 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     fn accept(&mut self, before: &CurveStation, after: CurveStation) -> ControlFlow<CurveEnd> {
         let equations = &self.followed.equations;
         let step = Step { followed: self.followed, control: self.route.control, before, after: &after };
-        let velocity = after.point[unknown::VELOCITY];
-        let grazes = velocity <= NO_VELOCITY && velocity < before.point[unknown::VELOCITY];
+        let (impact, velocity) = after.point.lowest_velocity();
+        let grazes = velocity <= NO_VELOCITY && velocity < before.point[unknown::velocity(impact)];
         if equations.has_impacts() && grazes {
-            return ControlFlow::Break(self.end_at_grazing(&step));
+            return ControlFlow::Break(self.end_at_grazing(&step, impact));
         }
         let (mut solution, mut now) = self.solution_and_signs(&after);
         if let Some(mut past) = self.signs {
@@ -288,7 +288,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             }
             None => {
                 let (solution, stability) = equations.solution_and_stability(&station.point);
-                (solution, signs(*condition, &stability, &solution))
+                (solution.clone(), signs(*condition, &stability, &solution))
             }
         }
     }
@@ -298,7 +298,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     fn without_events(&self, step: &Step<'_, O>) -> Option<(PeriodicSolution, Signs)> {
         let exact = |station: &CurveStation| {
             let (solution, stability) = self.followed.equations.solution_and_stability(&station.point);
-            (solution, signs(self.followed.condition, &stability, &solution))
+            (solution.clone(), signs(self.followed.condition, &stability, &solution))
         };
         let sketches = self.route.control.sketches();
         let (past, now) = sketches.then(|| (exact(step.before), exact(step.after)))?;
@@ -324,8 +324,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         if self.curve.points.len() <= FEWEST_OF_A_LOOP {
             return None;
         }
-        let start = first.solution.unknowns;
-        let onwards = second.solution.unknowns - start;
+        let start = first.solution.unknowns.clone();
+        let onwards = &second.solution.unknowns - &start;
         let way = [&step.before.point, &step.after.point];
         let angle = self.followed.equations.angle();
         let back = back_at((start, onwards), way, self.route.control.turn, angle)?;
@@ -361,29 +361,31 @@ impl<O: ImpactOscillator> Follower<'_, O> {
                     // touches the wall.
                     core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
                 }
-                self.curve.points.push(CurvePoint { solution: event.solution, times });
+                self.curve.points.push(CurvePoint { solution: event.solution.clone(), times });
                 return ControlFlow::Break(CurveEnd::Event(Box::new(event)));
             }
         }
         ControlFlow::Continue(())
     }
 
-    /// Ends the curve where the impact velocity vanishes.
-    fn end_at_grazing(&mut self, step: &Step<'_, O>) -> CurveEnd {
+    /// Ends the curve where the velocity of an impact vanishes.
+    fn end_at_grazing(&mut self, step: &Step<'_, O>, impact: usize) -> CurveEnd {
         let SolutionCurve { equations, condition } = self.followed;
         let before = step.before;
-        let (mut point, times) = match step.grazing() {
+        let (mut point, times) = match step.grazing(impact) {
             Ok(found) => found,
             // At grazing but for rounding, and for long: there is no zero to be located.
-            Err(_) if before.point[unknown::VELOCITY] < FORGOTTEN => (before.point, before.carried.clone()),
+            Err(_) if before.point[unknown::velocity(impact)] < FORGOTTEN => {
+                (before.point.clone(), before.carried.clone())
+            }
             Err(failure) => {
-                return CurveEnd::EventNotLocated { condition: Condition::ImpactVelocity(0.0), failure };
+                return CurveEnd::EventNotLocated { condition: Condition::stopped(impact), failure };
             }
         };
-        point[unknown::VELOCITY] = 0.0;
-        let tangent = step.after.tangent;
+        point[unknown::velocity(impact)] = 0.0;
+        let tangent = step.after.tangent.clone();
         let mut solution = equations.limiting_solution(&point, &tangent);
-        match Continuation::new(self.followed, self.route.control, point, tangent, times.clone()) {
+        match Continuation::new(self.followed, self.route.control, point.clone(), tangent, times.clone()) {
             Ok(end) if *condition != Condition::InteriorGrazing => {
                 solution = equations.limiting_solution(&point, &end.here().tangent);
             }
@@ -399,7 +401,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     /// cannot be located.
     fn end_on_the_edge(&mut self, step: &Step<'_, O>) {
         let window = &self.route.window;
-        let outside = step.after.point;
+        let outside = step.after.point.clone();
         let mut times = step.after.carried.clone();
         let edges = [(unknown::PRIMARY, window.primary), (unknown::SECONDARY, window.secondary)];
         let crossing = edges.into_iter().find_map(|(coordinate, [low, high])| {

@@ -37,7 +37,7 @@
 //! let control = StepControl::DRAWING;
 //! let route = Route { window, control, step_limit: 5000, stop_at_events: false, pace: None };
 //! let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), 0.85);
-//! let curve = branch.follow(start, Unknowns::x(), EventTimes::default(), &route)?;
+//! let curve = branch.follow(start.clone(), start.along(0), EventTimes::default(), &route)?;
 //! let kinds: Vec<_> = curve.events.iter().filter_map(|event| Bifurcation::of(event.condition, 1)).collect();
 //! assert!(kinds.contains(&Bifurcation::PeriodDoubling), "{kinds:?}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -60,3 +60,4 @@ pub mod regula_falsi;
 pub mod resonance;
 mod solution;
 pub mod tolerances;
+pub mod unknowns;

@@ -2,10 +2,10 @@
 
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
-use nalgebra::{Matrix2, Matrix3, SMatrix, Vector2, Vector4};
+use nalgebra::{Matrix2, Matrix3, Vector2};
 
-use crate::mps::{EventTimes, LoopEquations, LoopPair, Unknowns, stack, unknown};
-use crate::newton::{self, Linearisation, NewtonFailure};
+use crate::mps::{EventTimes, LoopEquations, Round, Unknowns, unknown};
+use crate::newton::{self, Linearisation, NewtonFailure, Space};
 use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 
 /// A scalar condition on an MPS. One condition defines a curve in (y, z, μ, η), two define a point.
@@ -24,8 +24,18 @@ pub enum Condition {
     InteriorGrazing,
     /// A second interior maximum touches the wall, where one does already.
     SecondInteriorGrazing,
-    /// The impact velocity has this value; at 0 the MPS meets the non-impacting solution.
+    /// The impact velocity, with several impacts that of the first, has this value; at 0 the MPS meets
+    /// the non-impacting solution.
     ImpactVelocity(f64),
+    /// The velocity of the impact with an index has this value.
+    Velocity {
+        /// The index of the impact, in the order of the unknowns.
+        impact: usize,
+        /// The velocity.
+        value: f64,
+    },
+    /// The velocities of the first and the second impact differ by this.
+    Difference(f64),
     /// The MPS is at this position when the forcing is at this phase, counted from that of the
     /// recoil.
     Position {
@@ -48,29 +58,39 @@ impl Condition {
     /// Torus bifurcation (NS), where the multipliers are complex.
     pub const TORUS: Self = Self::Product(1.0);
 
-    /// Residual and gradient in the unknowns; `pair` is of order 2 where
+    /// The condition that an impact has no velocity.
+    pub const fn stopped(impact: usize) -> Self {
+        match impact {
+            0 => Self::ImpactVelocity(0.0),
+            _ => Self::Velocity { impact, value: 0.0 },
+        }
+    }
+
+    /// Residual and gradient in the unknowns; the maps are of order 2 where
     /// [`needs_second_order`](Self::needs_second_order).
     pub(crate) fn evaluate<O: ImpactOscillator>(
         self,
         equations: &LoopEquations<O>,
         point: &Unknowns,
-        pair: &LoopPair,
+        maps: &Round,
         times: &mut EventTimes,
-    ) -> Result<(f64, Vector4<f64>), MapError> {
-        let coordinate = |index: usize, value: f64| {
-            let mut gradient = Vector4::zeros();
-            gradient[index] = 1.0;
-            (point[index] - value, gradient)
-        };
+    ) -> Result<(f64, Unknowns), MapError> {
+        let coordinate = |index: usize, value: f64| (point[index] - value, point.along(index));
         Ok(match self {
-            Self::Multiplier(multiplier) => pair.characteristic(multiplier),
-            // The pair is that of half a period.
-            Self::SymmetryBreaking => pair.characteristic(-1.0),
-            Self::Product(product) => pair.product_less(product),
+            Self::Multiplier(multiplier) => maps.characteristic(multiplier),
+            // The maps are those of half a period.
+            Self::SymmetryBreaking => maps.characteristic(-1.0),
+            Self::Product(product) => maps.product_less(product),
             Self::InteriorGrazing | Self::SecondInteriorGrazing => {
                 equations.maximum_near(point, self.maximum_time(times))?
             }
             Self::ImpactVelocity(value) => coordinate(unknown::VELOCITY, value),
+            Self::Velocity { impact, value } => coordinate(unknown::velocity(impact), value),
+            Self::Difference(value) => {
+                let [first, second] = [0, 1].map(unknown::velocity);
+                let gradient = point.along(first) - point.along(second);
+                (point[first] - point[second] - value, gradient)
+            }
             Self::Position { phase, position } => {
                 let (there, gradient) = equations.position_at(point, phase);
                 (there - position, gradient)
@@ -124,26 +144,30 @@ pub enum LocateFailure {
     },
 }
 
-/// V = 0 and the condition, stacked; the last row is left empty.
+/// The equations and the condition, with the last row left empty.
 pub(crate) fn conditioned<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     condition: Condition,
     second_order: bool,
     point: &Unknowns,
     times: &mut EventTimes,
-) -> Result<(Linearisation<4>, LoopPair), MapError> {
+) -> Result<(Linearisation<Unknowns>, Round), MapError> {
     let halved = match condition {
         Condition::SymmetryBreaking => Some(equations.halved().ok_or(MapError::NotSymmetric)?),
         _ => None,
     };
     let equations = halved.as_ref().unwrap_or(equations);
-    let pair = if second_order || condition.needs_second_order() {
-        equations.pair::<2>(point, times)?
+    let maps = if second_order || condition.needs_second_order() {
+        equations.maps::<2>(point, times)?
     } else {
-        equations.pair::<1>(point, times)?
+        equations.maps::<1>(point, times)?
     };
-    let scalar = condition.evaluate(equations, point, &pair, times)?;
-    Ok((stack(pair.difference(), scalar), pair))
+    let (value, gradient) = condition.evaluate(equations, point, &maps, times)?;
+    let mut system = maps.system();
+    let row = point.size() - 2;
+    system.residual[row] = value;
+    (0..point.size()).for_each(|column| system.jacobian[[row, column]] = gradient[column]);
+    Ok((system, maps))
 }
 
 /// The reason why an iteration ends.
@@ -185,15 +209,15 @@ pub fn locate_within<O: ImpactOscillator>(
     }
     let second_order = conditions[1].needs_second_order();
     let mut farthest = 0.0;
-    let solution = newton::solve(start, EVALUATIONS, |point| {
-        farthest = (point - start).norm();
+    let solution = newton::solve(start.clone(), EVALUATIONS, |point| {
+        farthest = (point - &start).norm();
         // NaN counts as far away as well.
         if farthest.is_nan() || farthest > reach {
             return Err(Lost);
         }
-        let (system, pair) =
+        let (system, maps) =
             conditioned(equations, conditions[0], second_order, point, times).map_err(Undefined)?;
-        let (value, gradient) = conditions[1].evaluate(equations, point, &pair, times).map_err(Undefined)?;
+        let (value, gradient) = conditions[1].evaluate(equations, point, &maps, times).map_err(Undefined)?;
         Ok(system.bordered(value, &gradient))
     });
     let solution = solution.map_err(|failure| match failure {
@@ -221,7 +245,7 @@ pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
 
 /// Locates the point at which a curve of interior grazing reaches y = 0.
 ///
-/// With y = 0 all loops coincide with the grazing orbit, so the interior maximum lies on the wall
+/// For one impact. With y = 0 all loops coincide with the grazing orbit, so the interior maximum lies on the wall
 /// for every η and the equations of [`locate`] are singular. The curve branches off this trivial
 /// family where the maximum does not change to first order along the branch of MPSs: det ∂(V₁, V₂,
 /// h)/∂(y, z, μ) = 0, which is solved for η by the secant method.
@@ -233,18 +257,20 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
     near: Unknowns,
     times: &mut EventTimes,
 ) -> Result<Unknowns, LocateFailure> {
-    let mut point = near;
+    let mut point = near.clone();
     point[unknown::VELOCITY] = 0.0;
     let mut degeneracy = |point: &mut Unknowns, secondary: f64| {
         point[unknown::SECONDARY] = secondary;
         grazing_orbit(equations, point, times)?;
         let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
-        let pair = equations.pair::<1>(point, times).map_err(undefined)?;
+        let maps = equations.maps::<1>(point, times).map_err(undefined)?;
         let (_, slopes) = equations.maximum_near(point, &mut times.grazing_time).map_err(undefined)?;
-        let derivative: SMatrix<f64, 2, 4> = pair.difference().1;
-        let mut matrix = Matrix3::zeros();
-        matrix.fixed_view_mut::<2, 3>(0, 0).copy_from(&derivative.fixed_columns::<3>(0));
-        matrix.set_row(2, &slopes.fixed_rows::<3>(0).transpose());
+        let derivative = maps.system().jacobian;
+        let entry = |row: usize, column: usize| match row {
+            2 => slopes[column],
+            _ => derivative[[row, column]],
+        };
+        let matrix = Matrix3::from_fn(entry);
         Ok::<f64, NewtonFailure<MapError>>(matrix.determinant())
     };
     // Two starting values closer together than the steps of a curve; the secant method needs no
@@ -270,15 +296,15 @@ fn grazing_orbit<O: ImpactOscillator>(
     point: &mut Unknowns,
     times: &mut EventTimes,
 ) -> Result<(), NewtonFailure<MapError>> {
-    let fixed = *point;
+    let fixed = point.clone();
     let solution =
         newton::solve(Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]), EVALUATIONS, |zm| {
-            let mut trial = fixed;
+            let mut trial = fixed.clone();
             trial[unknown::PHASE] = zm[0];
             trial[unknown::PRIMARY] = zm[1];
-            let (residual, derivative) = equations.pair::<1>(&trial, times)?.difference();
-            let jacobian: Matrix2<f64> = derivative.fixed_columns::<2>(1).into_owned();
-            Ok(Linearisation { residual, jacobian })
+            let Linearisation { residual, jacobian } = equations.maps::<1>(&trial, times)?.system();
+            let jacobian = Matrix2::from_fn(|row, column| jacobian[[row, column + 1]]);
+            Ok(Linearisation { residual: Vector2::new(residual[0], residual[1]), jacobian })
         })?;
     point[unknown::PHASE] = solution.point[0];
     point[unknown::PRIMARY] = solution.point[1];

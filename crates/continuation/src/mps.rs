@@ -22,21 +22,16 @@ use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
 use grazing_theorems::from_map::GrazingOrbit;
-use nalgebra::{SMatrix, Vector2, Vector4};
+use nalgebra::Vector2;
 use smallvec::SmallVec;
 
-pub use pair::LoopPair;
+pub use pair::{LoopPair, Round};
 pub use symmetry::Symmetry;
 
-use crate::newton::Linearisation;
 pub(crate) use crate::solution::Stability;
-pub use crate::solution::{Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
+pub use crate::solution::{Multipliers, PeriodicSolution};
 use crate::tolerances::{FAR, RECURS, REST, UNSURE_HEIGHT};
-
-/// The impact at a point.
-fn impact(point: &Unknowns) -> OnWall {
-    OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE])
-}
+pub use crate::unknowns::{Unknowns, parameters, unknown};
 
 /// The state at phase zero for a point without impacts.
 fn at_phase_zero(point: &Unknowns) -> AtPhase {
@@ -62,6 +57,18 @@ pub enum Formulation {
     FixedPhase,
 }
 
+/// A flight of a solution, as far as it matters: the state in which it begins and the motion.
+pub(crate) struct Flight<M> {
+    pub(crate) motion: M,
+}
+
+pub(crate) type Flights<M> = SmallVec<[Flight<M>; 1]>;
+
+/// The planes of comparison through the impacts of a solution.
+pub(crate) fn planes(point: &Unknowns) -> SmallVec<[f64; 1]> {
+    (0..point.impacts()).map(|impact| point[unknown::phase(impact)]).collect()
+}
+
 /// State carried along a curve: event times, so that "the next maximum" is never ambiguous, and the
 /// phase of the comparison plane.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -70,8 +77,8 @@ pub struct EventTimes {
     virtual_times: [Option<f64>; 2],
     /// Return times of P_global, loop by loop.
     return_times: SmallVec<[f64; 4]>,
-    /// Phase of the plane of [`Formulation::FixedPhase`].
-    reference_phase: Option<f64>,
+    /// Phases of the planes of [`Formulation::FixedPhase`], one for each impact.
+    planes: SmallVec<[f64; 1]>,
     /// Time from the recoil to the interior maximum that a grazing curve holds at the wall.
     pub(crate) grazing_time: f64,
     /// Time from the recoil to a second interior maximum, where two touch the wall.
@@ -146,18 +153,18 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.has_impacts().then_some(unknown::PHASE)
     }
 
-    /// The units of the unknowns in lengths.
-    pub fn units(&self) -> Unknowns {
-        Unknowns::new(1.0, 1.0, self.units[0], self.units[1])
+    /// The units of the unknowns of a point in lengths.
+    pub fn units(&self, point: &Unknowns) -> Unknowns {
+        let mut units = point.filled(1.0);
+        (units[unknown::PRIMARY], units[unknown::SECONDARY]) = (self.units[0], self.units[1]);
+        units
     }
 
     /// The displacement from one point to another, with phases modulo 2π.
     pub fn gap(&self, from: &Unknowns, to: &Unknowns) -> Unknowns {
-        let mut gap = to - from;
-        if let Some(angle) = self.angle() {
-            gap[angle] = libm::remainder(gap[angle], TAU);
-        }
-        gap.component_div(&self.units())
+        let gap = to - from;
+        let gap = if self.has_impacts() { gap.less_turns() } else { gap };
+        gap.component_div(&self.units(from))
     }
 
     /// The formulation in use.
@@ -168,6 +175,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The equations in another formulation.
     pub fn with_formulation(&self, formulation: Formulation) -> Self {
         Self { formulation, ..self.clone() }
+    }
+
+    /// The equations of solutions that take this many times as long.
+    pub(crate) fn over(&self, times: u32) -> Self {
+        Self { loops: self.loops * times, ..self.clone() }
     }
 
     /// The equations with motion computed to fewer digits, where that takes less time.
@@ -190,31 +202,44 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// impacts at phase zero, (x, y, 0).
     pub fn departure(&self, point: &Unknowns) -> State {
         match self.has_impacts() {
-            true => self.oscillator_at(point).reset::<1>(impact(point)).image().into(),
+            true => self.recoil(point, 0),
             false => at_phase_zero(point).at_phase_zero(),
         }
     }
 
-    /// The motion of the flight.
-    pub(crate) fn motion(&self, point: &Unknowns) -> O::Motion {
-        self.oscillator_at(point).motion(self.departure(point))
+    /// The state just after the impact with an index.
+    fn recoil(&self, point: &Unknowns, impact: usize) -> State {
+        self.oscillator_at(point).reset::<1>(point.impact(impact)).image().into()
     }
 
-    /// The two maps at a point with derivatives up to `ORDER`.
+    /// The flights of a solution, from impact to impact; without impacts one over a forcing period.
+    pub(crate) fn flights(&self, point: &Unknowns) -> Flights<O::Motion> {
+        let oscillator = self.oscillator_at(point);
+        let flight = |from: State| Flight { motion: oscillator.motion(from) };
+        match self.has_impacts() {
+            true => (0..point.impacts())
+                .map(|impact| flight(oscillator.reset::<1>(point.impact(impact)).image().into()))
+                .collect(),
+            false => SmallVec::from_buf([flight(at_phase_zero(point).at_phase_zero())]),
+        }
+    }
+
+    /// The maps of all impacts at a point with derivatives up to `ORDER`.
     ///
     /// # Errors
     /// VIVID is not defined there.
-    pub fn pair<const ORDER: usize>(
+    pub fn maps<const ORDER: usize>(
         &self,
         point: &Unknowns,
         times: &mut EventTimes,
-    ) -> Result<LoopPair, MapError> {
+    ) -> Result<Round, MapError> {
         match self.formulation {
-            Formulation::Vivid if self.has_impacts() => {
+            Formulation::Vivid if self.has_impacts() && point.impacts() == 1 => {
                 let oscillator = self.oscillator_at(point);
-                let reset = oscillator.reset::<ORDER>(impact(point));
+                let impact = point.impact(0);
+                let reset = oscillator.reset::<ORDER>(impact);
                 let [from_impact, from_recoil] = times.virtual_times;
-                let ahead = maps::virtual_map::<O, ORDER>(&oscillator, impact(point), from_impact)?;
+                let ahead = maps::virtual_map::<O, ORDER>(&oscillator, impact, from_impact)?;
                 let back = maps::virtual_map::<O, ORDER>(&oscillator, reset.image(), from_recoil)?;
                 times.virtual_times = [Some(ahead.time), Some(back.time)];
                 let mut jet = back.jet.after::<ORDER, _>(&reset);
@@ -224,31 +249,35 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                     *time = next.time;
                     jet = next.jet.after::<ORDER, _>(&jet);
                 }
-                Ok(LoopPair::of(&jet, &ahead.jet))
+                Ok(LoopPair::of(&jet, &ahead.jet).into())
             }
             _ => {
-                let plane = *times.reference_phase.get_or_insert(point[unknown::PHASE]);
+                if times.planes.len() != point.impacts() {
+                    self.settle(point, times);
+                }
                 let mirror = self.symmetry.filter(|_| self.halved);
-                self.pair_along::<ORDER>(point, plane, &self.motion(point), mirror)
+                self.maps_along::<ORDER>(point, &times.planes, &self.flights(point), mirror)
             }
         }
     }
 
-    /// The two maps to the plane of constant phase `plane`, given the motion of the flight. Without
-    /// impacts they are the flow over a forcing period, or over half of it with a mirror, and the
-    /// identity; they are undefined where motion goes far away.
-    fn pair_along<const ORDER: usize>(
+    /// The maps to planes of constant phase, given the flights. Without impacts they are the flow
+    /// over a forcing period, or over half of it with a mirror, and the identity; they are undefined
+    /// where motion goes far away.
+    fn maps_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
-        plane: f64,
-        motion: &O::Motion,
+        planes: &[f64],
+        flights: &[Flight<O::Motion>],
         mirror: Option<Symmetry>,
-    ) -> Result<LoopPair, MapError> {
+    ) -> Result<Round, MapError> {
         if self.has_impacts() {
-            return Ok(self.fixed_phase_pair::<ORDER>(point, plane, motion));
+            return Ok(self.fixed_phase_maps::<ORDER>(point, planes, flights));
         }
-        let (oscillator, from) = (self.oscillator_at(point), at_phase_zero(point));
-        let to = |phase| maps::to_phase::<O, ORDER, _>(&oscillator, motion, from.at_phase_zero(), phase);
+        let (oscillator, from, motion) =
+            (self.oscillator_at(point), at_phase_zero(point), &flights[0].motion);
+        let to =
+            |phase| maps::to_phase::<O, ORDER, AtPhase>(&oscillator, motion, from.at_phase_zero(), phase);
         let around = match mirror {
             Some(symmetry) => symmetry.mirrored(to(PI), point),
             None => to(TAU),
@@ -258,29 +287,50 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         if size.is_nan() || size > FAR {
             return Err(MapError::NoRest { near: oscillator.forcing_period(), velocity: size });
         }
-        Ok(LoopPair::of(&around, &MapJet::identity(from)))
+        Ok(LoopPair::of(&around, &MapJet::identity(from)).into())
     }
 
-    /// The two maps of an MPS to the plane of constant phase `plane`, which exist at every point.
-    pub(crate) fn fixed_phase_pair<const ORDER: usize>(
+    /// The maps of solutions with impacts to the planes of constant phase, one for each impact, which
+    /// exist at every point.
+    pub(crate) fn fixed_phase_maps<const ORDER: usize>(
         &self,
         point: &Unknowns,
-        plane: f64,
-        motion: &O::Motion,
-    ) -> LoopPair {
+        planes: &[f64],
+        flights: &[Flight<O::Motion>],
+    ) -> Round {
         let oscillator = self.oscillator_at(point);
-        let reset = oscillator.reset::<ORDER>(impact(point));
-        let [from_recoil, from_impact]: [State; 2] = [reset.image().into(), impact(point).into()];
-        let around_to = plane + f64::from(self.loops) * TAU;
-        let around = maps::to_phase::<O, ORDER, _>(&oscillator, motion, from_recoil, around_to);
-        let straight = oscillator.motion(from_impact);
-        let ahead = maps::to_phase::<O, ORDER, OnWall>(&oscillator, &straight, from_impact, plane);
-        LoopPair::of(&around.after::<ORDER, _>(&reset), &ahead)
+        let pair = |(index, flight): (usize, &Flight<O::Motion>)| {
+            let impact = point.impact(index);
+            let reset = oscillator.reset::<ORDER>(impact);
+            let [from_recoil, from_impact]: [State; 2] = [reset.image().into(), impact.into()];
+            let (next, loops) =
+                if index + 1 == flights.len() { (planes[0], self.loops) } else { (planes[index + 1], 0) };
+            let around_to = next + f64::from(loops) * TAU;
+            let around = maps::to_phase::<O, ORDER, _>(&oscillator, &flight.motion, from_recoil, around_to);
+            let straight = oscillator.motion(from_impact);
+            let ahead =
+                maps::to_phase::<O, ORDER, OnWall>(&oscillator, &straight, from_impact, planes[index]);
+            LoopPair::of(&around.after::<ORDER, _>(&reset), &ahead)
+        };
+        flights.iter().enumerate().map(pair).collect()
     }
 
-    /// Updates the carried state at an accepted point: the comparison plane moves to its phase.
+    /// The direction in which the impacts after the first follow it, when the first and the parameters move in
+    /// a direction (y, z, μ, η); they have a velocity.
+    pub(crate) fn with_others(&self, at: &Unknowns, direction: Unknowns) -> Unknowns {
+        if at.impacts() == 1 {
+            return direction;
+        }
+        let maps = self.fixed_phase_maps::<1>(at, &planes(at), &self.flights(at));
+        let mut all = at.filled(0.0);
+        (0..4).for_each(|index| all[index] = direction[index]);
+        maps.follow_on(&mut all);
+        all
+    }
+
+    /// Updates the carried state at an accepted point: the planes of comparison move to its phases.
     pub(crate) fn settle(&self, point: &Unknowns, times: &mut EventTimes) {
-        times.reference_phase = Some(point[unknown::PHASE]);
+        times.planes = planes(point);
     }
 
     /// The points (x⁽ʲ⁾, z⁽ʲ⁾), j = 1, …, p, at which the loops of an MPS meet Π; the last is
@@ -293,7 +343,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// where VIVID is not defined.
     pub fn visits(&self, point: &Unknowns, times: &EventTimes) -> Result<Vec<Vector2<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let recoil = oscillator.reset::<1>(impact(point)).image();
+        let recoil = oscillator.reset::<1>(point.impact(0)).image();
         let mut here = maps::virtual_map::<O, 1>(&oscillator, recoil, times.virtual_times[1])?.jet.image();
         (0..self.loops as usize)
             .map(|j| {
@@ -304,46 +354,90 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             .collect()
     }
 
-    /// The value of x at the maximum near a time after the recoil, with its first derivatives in
+    /// The value of x at the maximum near a time after the first recoil, with its first derivatives in
     /// the unknowns; the time becomes that of the maximum.
     ///
     /// # Errors
     /// The maximum has disappeared.
-    pub fn maximum_near(&self, point: &Unknowns, time: &mut f64) -> Result<(f64, Vector4<f64>), MapError> {
+    pub fn maximum_near(&self, point: &Unknowns, time: &mut f64) -> Result<(f64, Unknowns), MapError> {
         let oscillator = self.oscillator_at(point);
-        let jet = if self.has_impacts() {
-            let reset = oscillator.reset::<1>(impact(point));
-            let landing = maps::virtual_map::<O, 1>(&oscillator, reset.image(), Some(*time))?;
-            *time = landing.time;
-            landing.jet.after::<1, _>(&reset).plain()
-        } else {
-            let landing = maps::maximum_from_phase_zero::<O, 1>(&oscillator, at_phase_zero(point), *time)?;
-            *time = landing.time;
-            landing.jet.plain()
-        };
-        Ok((jet.value[0], jet.jacobian.row(0).transpose()))
+        let mut gradient = point.filled(0.0);
+        if self.has_impacts() {
+            let (flight, start) = self.flight_at(point, *time);
+            let reset = oscillator.reset::<1>(point.impact(flight));
+            let landing = maps::virtual_map::<O, 1>(&oscillator, reset.image(), Some(*time - start))?;
+            *time = landing.time + start;
+            let jet = landing.jet.after::<1, _>(&reset).plain();
+            for (variable, index) in unknown::of_impact(flight).into_iter().enumerate() {
+                gradient[index] = jet.jacobian[(0, variable)];
+            }
+            return Ok((jet.value[0], gradient));
+        }
+        let landing = maps::maximum_from_phase_zero::<O, 1>(&oscillator, at_phase_zero(point), *time)?;
+        *time = landing.time;
+        let jet = landing.jet.plain();
+        (0..4).for_each(|index| gradient[index] = jet.jacobian[(0, index)]);
+        Ok((jet.value[0], gradient))
     }
 
-    /// The solution on a curve of interior grazing as a grazing orbit with an impact elsewhere; `None` where
+    /// The index of the flight at a time after the first recoil, and the time at which it begins.
+    pub(crate) fn flight_at(&self, point: &Unknowns, time: f64) -> (usize, f64) {
+        if point.impacts() == 1 {
+            return (0, 0.0);
+        }
+        let spans = self.spans(point);
+        let after = spans.iter().take_while(|[start, _]| *start <= time).count();
+        (after.max(1) - 1, spans[after.max(1) - 1][0])
+    }
+
+    /// The times at which flights begin and how long they take, from the first recoil on.
+    fn spans(&self, point: &Unknowns) -> SmallVec<[[f64; 2]; 1]> {
+        if !self.has_impacts() {
+            return SmallVec::from_buf([[0.0, self.oscillator_at(point).forcing_period()]]);
+        }
+        let oscillator = self.oscillator_at(point);
+        let frequency = oscillator.forcing_frequency().value;
+        let count = point.impacts();
+        let phases = |impact: usize| {
+            let at = point.impact(impact);
+            [at.phase, State::from(oscillator.reset::<1>(at).image()).phase]
+        };
+        let [_, first] = phases(0);
+        (0..count)
+            .map(|impact| {
+                let [_, recoil] = phases(impact);
+                let loops = if impact + 1 == count { self.loops } else { 0 };
+                let next = point[unknown::phase((impact + 1) % count)];
+                [(recoil - first) / frequency, flight_time(&oscillator, loops, next, recoil)]
+            })
+            .collect()
+    }
+
+    /// The solution on a curve of interior grazing as a grazing orbit with impacts elsewhere; `None` where
     /// P_global is not defined.
     pub fn touching_orbit(&self, point: &Unknowns, times: &EventTimes) -> Option<GrazingOrbit<O>> {
-        let (oscillator, from) = (self.oscillator_at(point), self.departure(point));
-        let (time, flight) = (times.grazing_time, self.flight(point));
-        let phase = from.phase + oscillator.forcing_frequency().value * time;
-        let passage = Passage::through(self.loops, [flight - time], time);
-        GrazingOrbit::through(oscillator, phase, passage).ok()
+        let oscillator = self.oscillator_at(point);
+        let (touching, start) = self.flight_at(point, times.grazing_time);
+        let spans = self.spans(point);
+        let back = times.grazing_time - start;
+        let phase = self.departure(point).phase + oscillator.forcing_frequency().value * times.grazing_time;
+        let others = (1..spans.len()).map(|later| spans[(touching + later) % spans.len()][1]);
+        let to_wall = [spans[touching][1] - back].into_iter().chain(others);
+        GrazingOrbit::through(oscillator, phase, Passage::through(self.loops, to_wall, back)).ok()
     }
 
     /// The position x of the flight when the forcing is at a phase, counted from that of the
     /// recoil, with its first derivatives in the unknowns.
-    pub fn position_at(&self, point: &Unknowns, phase: f64) -> (f64, Vector4<f64>) {
+    pub fn position_at(&self, point: &Unknowns, phase: f64) -> (f64, Unknowns) {
         let oscillator = self.oscillator_at(point);
-        let reset = oscillator.reset::<1>(impact(point));
+        let reset = oscillator.reset::<1>(point.impact(0));
         let recoil: State = reset.image().into();
         let motion = oscillator.motion(recoil);
         let there = maps::to_phase::<O, 1, OnWall>(&oscillator, &motion, recoil, phase);
         let jet = there.after::<1, _>(&reset).plain();
-        (jet.value[0], jet.jacobian.row(0).transpose())
+        let mut gradient = point.filled(0.0);
+        (0..4).for_each(|index| gradient[index] = jet.jacobian[(0, index)]);
+        (jet.value[0], gradient)
     }
 
     /// The periodic solution at a zero of the equations: multipliers, maxima, stability,
@@ -357,38 +451,40 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The periodic solution at a zero of the equations, with the stability from which its
     /// multipliers follow.
     pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
-        let motion = self.motion(point);
-        let stability = self.symmetric_stability(point, &motion).unwrap_or_else(|| {
-            let pair = self.pair_along::<1>(point, point[unknown::PHASE], &motion, None);
-            pair.map_or(Stability::UNKNOWN, |pair| pair.stability())
+        let flights = self.flights(point);
+        let stability = self.symmetric_stability(point, &flights).unwrap_or_else(|| {
+            let maps = self.maps_along::<1>(point, &planes(point), &flights, None);
+            maps.map_or(Stability::UNKNOWN, |maps| maps.stability())
         });
-        (self.orbit(point, &motion, stability.multipliers), stability)
+        (self.orbit(point, &flights, stability.multipliers), stability)
     }
 
     /// The stability of symmetric motion over the whole period, from the map over half of it.
-    fn symmetric_stability(&self, point: &Unknowns, motion: &O::Motion) -> Option<Stability> {
+    fn symmetric_stability(&self, point: &Unknowns, flights: &[Flight<O::Motion>]) -> Option<Stability> {
         let mirror = Some(self.symmetry?);
-        let pair = self.pair_along::<1>(point, point[unknown::PHASE], motion, mirror).ok()?;
-        (pair.difference().0.norm() < RECURS).then(|| pair.stability().of_the_square())
+        let maps = self.maps_along::<1>(point, &planes(point), flights, mirror).ok()?;
+        (maps.distance() < RECURS).then(|| maps.stability().of_the_square())
     }
 
     /// The periodic solution at a point with y = 0 that is approached along a curve with the given
     /// tangent; its multipliers are limits.
     pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
-        let motion = self.motion(point);
-        let pair = self.fixed_phase_pair::<2>(point, point[unknown::PHASE], &motion);
-        let flight = self.flight(point);
+        let flights = self.flights(point);
+        let maps = self.fixed_phase_maps::<2>(point, &planes(point), &flights);
         // The orbit begins and ends at a maximum; neither is an interior one.
-        let ends = END * flight;
-        let interior = motion
-            .local_maxima(flight)
-            .into_iter()
-            .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
+        let highest = self.highest(point, &flights, |motion, flight| {
+            let ends = END * flight;
+            let interior = motion
+                .local_maxima(flight)
+                .into_iter()
+                .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
+            interior.max_by(|a, b| a.position.total_cmp(&b.position))
+        });
         PeriodicSolution {
             loops: self.loops,
-            unknowns: *point,
-            multipliers: pair.limiting_multipliers(tangent),
-            highest_interior_maximum: interior.max_by(|a, b| a.position.total_cmp(&b.position)),
+            unknowns: point.clone(),
+            multipliers: maps.limiting_multipliers(tangent),
+            highest_interior_maximum: highest,
         }
     }
 
@@ -401,32 +497,50 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         with_maxima: bool,
     ) -> PeriodicSolution {
         if with_maxima {
-            let orbit = |equations: &Self| {
-                let motion = equations.oscillator_at(point).motion(self.departure(point));
-                self.orbit(point, &motion, multipliers)
-            };
+            let orbit = |equations: &Self| self.orbit(point, &equations.flights(point), multipliers);
             return Purpose::Admissibility.during(|| {
                 let rough = orbit(&self.roughly());
                 if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) }
             });
         }
-        let loops = self.loops;
-        PeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
+        let (loops, unknowns) = (self.loops, point.clone());
+        PeriodicSolution { loops, unknowns, multipliers, highest_interior_maximum: None }
     }
 
-    fn orbit(&self, point: &Unknowns, motion: &O::Motion, multipliers: Multipliers) -> PeriodicSolution {
+    fn orbit(
+        &self,
+        point: &Unknowns,
+        flights: &[Flight<O::Motion>],
+        multipliers: Multipliers,
+    ) -> PeriodicSolution {
         PeriodicSolution {
             loops: self.loops,
-            unknowns: *point,
+            unknowns: point.clone(),
             multipliers,
             highest_interior_maximum: Purpose::Admissibility.during(|| match self.has_impacts() {
-                true => motion.highest_maximum(self.flight(point)),
-                false => Some(highest_point(motion, self.flight(point))),
+                true => self.highest(point, flights, |motion, flight| motion.highest_maximum(flight)),
+                false => Some(highest_point(&flights[0].motion, self.flight(point))),
             }),
         }
     }
 
-    /// The time from the recoil to the next impact; without impacts the forcing period.
+    /// The highest of the maxima that are found in each flight, its time counted from the first
+    /// recoil.
+    fn highest(
+        &self,
+        point: &Unknowns,
+        flights: &[Flight<O::Motion>],
+        of: impl Fn(&O::Motion, f64) -> Option<Maximum>,
+    ) -> Option<Maximum> {
+        let spans = self.spans(point);
+        let found = flights.iter().zip(spans).filter_map(|(flight, [start, duration])| {
+            let top = of(&flight.motion, duration)?;
+            Some(Maximum { time: top.time + start, ..top })
+        });
+        found.max_by(|a, b| a.position.total_cmp(&b.position))
+    }
+
+    /// The time from the first recoil to the next first impact; without impacts the forcing period.
     pub fn flight(&self, point: &Unknowns) -> f64 {
         let oscillator = self.oscillator_at(point);
         match self.has_impacts() {
@@ -466,17 +580,4 @@ fn highest_point(motion: &impl Motion, period: f64) -> Maximum {
     // Slightly more than a period, so that a maximum at phase zero lies inside.
     let highest = if at_rest { None } else { motion.highest_maximum(1.25 * period) };
     highest.unwrap_or_else(|| Maximum { time: 0.0, position: motion.at(0.0).position })
-}
-
-/// Stacks V and one further scalar equation into the first three rows of a 4 × 4 system.
-pub(crate) fn stack(
-    (difference, derivative): (Vector2<f64>, SMatrix<f64, 2, 4>),
-    (value, gradient): (f64, Vector4<f64>),
-) -> Linearisation<4> {
-    let mut system = Linearisation { residual: Vector4::zeros(), jacobian: SMatrix::zeros() };
-    system.residual.fixed_rows_mut::<2>(0).copy_from(&difference);
-    system.jacobian.fixed_rows_mut::<2>(0).copy_from(&derivative);
-    system.residual[2] = value;
-    system.jacobian.set_row(2, &gradient.transpose());
-    system
 }

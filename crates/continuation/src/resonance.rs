@@ -1,10 +1,11 @@
 //! Resonant grazing points, located numerically, the curves that leave them and the codimension-two
 //! points at which these end.
 
+use core::f64::consts::TAU;
 use core::ops::Deref;
 
 use grazing_model::maps::MapError;
-use grazing_model::{AnyOscillator, ImpactOscillator};
+use grazing_model::{AnyOscillator, ImpactOscillator, OnWall};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::limit_map::LimitImpact;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -66,6 +67,8 @@ pub struct LocatedResonance<O = AnyOscillator> {
 
 /// Number of Newton steps from a saddle-node that is nearly the resonance.
 const POLISHING: usize = 5;
+/// Number of Newton steps from a point of the grazing curve between which and the next there is a resonance.
+const POLISHING_FROM_AFAR: usize = 20;
 
 impl<O: ImpactOscillator> LocatedResonance<O> {
     /// Locates the resonance near the parameters of `oscillator` and the phase `near`.
@@ -104,9 +107,34 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         Ok(Self { equations, orbit, point })
     }
 
-    /// The number of loops p.
+    /// Locates the resonance of q loops near a grazing orbit that has impacts elsewhere: of solutions with one
+    /// impact more than q rounds of this orbit.
+    ///
+    /// # Errors
+    /// None is found.
+    pub fn of_impacting(mut orbit: GrazingOrbit<O>, loops: u32) -> Result<Self, ResonanceError> {
+        let mut last = f64::INFINITY;
+        for _ in 0..POLISHING_FROM_AFAR {
+            let [detuning, slope] = orbit.detuning(loops, &orbit.derivative_of_map());
+            let [_, secondary] = orbit.oscillator().parameters();
+            let step = detuning / slope;
+            // A step no shorter than the last is rounding.
+            if !(step.is_finite() && step.abs() < last) {
+                break;
+            }
+            last = step.abs();
+            let place = orbit.place().moved(orbit.oscillator(), secondary - step)?;
+            orbit = GrazingOrbit::of(orbit.oscillator(), place)?;
+        }
+        let point = orbit.resonant_point(loops)?;
+        let periods = loops * orbit.passage().periods();
+        let equations = LoopEquations::new(orbit.oscillator().clone(), periods, Formulation::FixedPhase);
+        Ok(Self { equations, orbit, point })
+    }
+
+    /// The number of loops p; of rounds of the grazing orbit, if that has impacts elsewhere.
     pub fn loops(&self) -> u32 {
-        self.equations.loops()
+        self.point.loops()
     }
 
     /// The grazing orbit at the resonance.
@@ -126,8 +154,17 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
 
     /// The resonance (0, z_graz, μ_graz, η*) as unknowns.
     pub fn unknowns(&self) -> Unknowns {
-        let [primary, secondary] = self.orbit.oscillator().parameters();
-        Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
+        let periods = f64::from(self.orbit.passage().periods());
+        let first = OnWall::new(0.0, self.orbit.phase());
+        let rounds = (0..self.loops()).flat_map(|round| {
+            let turned = move |impact: &OnWall| OnWall {
+                phase: impact.phase + f64::from(round) * periods * TAU,
+                ..*impact
+            };
+            self.orbit.impacts().iter().map(turned)
+        });
+        let impacts: Vec<OnWall> = [first].into_iter().chain(rounds).collect();
+        Unknowns::of_impacts(&impacts, self.orbit.oscillator().parameters())
     }
 
     /// The unknowns (y, z, μ, η) of an impact of the limit map, at its parameter M and a distance η
@@ -269,8 +306,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         let mut reason = "it bounds no region of stable solutions to either side".to_owned();
         for sign in [1.0, -1.0] {
             let curve = SolutionCurve { equations: self.clone(), condition };
-            let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
-            match curve.follow(point.solution.unknowns, direction, point.times.clone(), route) {
+            let direction = point.solution.unknowns.along(unknown::VELOCITY) * sign;
+            match curve.follow(point.solution.unknowns.clone(), direction, point.times.clone(), route) {
                 Ok(curve) if self.beside_start(&curve).is_some_and(|next| onwards(&next)) => {
                     return Ok(curve);
                 }
@@ -286,9 +323,9 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     fn beside_start(&self, curve: &Curve) -> Option<PeriodicSolution> {
         let (start, next) = (curve.points.first()?, &curve.points.get(1)?.solution);
         if curve.points.len() > 2 || !matches!(curve.end, CurveEnd::Event(_)) {
-            return Some(*next);
+            return Some(next.clone());
         }
-        let middle = (start.solution.unknowns + next.unknowns) * 0.5;
+        let middle = (&start.solution.unknowns + &next.unknowns) * 0.5;
         let conditions = [curve.condition, Condition::ImpactVelocity(middle[unknown::VELOCITY])];
         let found = locate(self, conditions, middle, &mut start.times.clone()).ok()?;
         Some(self.solution(&found))

@@ -2,30 +2,9 @@
 
 use grazing_model::motion::Maximum;
 use grazing_theorems::spectrum::Eigenvalues;
-use nalgebra::Vector4;
 
 use crate::tolerances::{self, FORGOTTEN, STABILITY, UNSETTLED_MULTIPLIERS};
-
-/// The unknowns: (y, z, μ, η), impact velocity, impact phase, primary and secondary parameter;
-/// without impacts (x, y, μ, η), position and velocity at phase zero.
-pub type Unknowns = Vector4<f64>;
-
-/// Indices of the unknowns.
-pub mod unknown {
-    /// Impact velocity y; without impacts x at phase zero.
-    pub const VELOCITY: usize = 0;
-    /// Impact phase z; without impacts ẋ at phase zero.
-    pub const PHASE: usize = 1;
-    /// Primary parameter μ.
-    pub const PRIMARY: usize = 2;
-    /// Secondary parameter η.
-    pub const SECONDARY: usize = 3;
-}
-
-/// The primary and the secondary parameter (μ, η) of a point.
-pub fn parameters(point: &Unknowns) -> [f64; 2] {
-    [point[unknown::PRIMARY], point[unknown::SECONDARY]]
-}
+use crate::unknowns::{Unknowns, parameters};
 
 /// Trace T and determinant D of the matrix U whose eigenvalues are the stability multipliers (eq:U,
 /// eq:TD).
@@ -124,11 +103,11 @@ impl Stability {
 
 /// A periodic solution, which is a zero of the equations: a maximal periodic solution (MPS) of the
 /// paper for p ≥ 1, motion without impacts for p = 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicSolution {
-    /// The number of loops p; 0 without impacts.
+    /// The number of loops p, or of forcing periods with more than one impact; 0 without impacts.
     pub loops: u32,
-    /// The unknowns (y, z, μ, η), or (x, y, μ, η) without impacts.
+    /// The unknowns (y, z, μ, η), (y, z, μ, η, y₂, …), or (x, y, μ, η) without impacts.
     pub unknowns: Unknowns,
     /// Trace and determinant of U; infinite or NaN at y = 0. Without impacts these belong to the
     /// flow over a forcing period.
@@ -142,9 +121,9 @@ impl PeriodicSolution {
     /// Height above the wall up to which an interior maximum counts as touching it.
     pub const TOUCH: f64 = tolerances::TOUCH;
 
-    /// The impact velocity y; 0 without impacts.
+    /// The impact velocity y, the lowest of all impacts; 0 without impacts.
     pub fn impact_velocity(&self) -> f64 {
-        if self.has_impacts() { self.unknowns[unknown::VELOCITY] } else { 0.0 }
+        if self.has_impacts() { self.unknowns.lowest_velocity().1 } else { 0.0 }
     }
 
     /// Whether there is an impact in p forcing periods.

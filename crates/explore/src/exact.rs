@@ -65,7 +65,7 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
     let held = [Condition::Secondary(secondary), Condition::Primary(primary)];
     let mut found = held.into_iter().filter_map(|held| {
         let mut times = EventTimes::default().touching(time);
-        let point = locate(&equations, [kind.condition(), held], start, &mut times).ok()?;
+        let point = locate(&equations, [kind.condition(), held], start.clone(), &mut times).ok()?;
         Some(equations.solution(&point)).filter(|solution| near(solution.parameters()))
     });
     let solution = found.next().ok_or_else(lost)?;

@@ -89,7 +89,7 @@ fn curves(diagram: &Diagram, kind: Bifurcation, loops: Option<u32>) -> Vec<(u32,
     let all = wanted.map(|curve| {
         let points = curve.curve.points.iter().map(|point| {
             let admissible = point.solution.ceiling() <= PeriodicSolution::TOUCH;
-            (point.solution.unknowns, Some(&point.times), admissible)
+            (point.solution.unknowns.clone(), Some(&point.times), admissible)
         });
         (curve.loops, points.collect())
     });
@@ -117,9 +117,9 @@ pub(crate) fn nearest(
             let gap = [0, 1].map(|k| from[k] + share * chord[k]);
             let distance = (gap[0] * gap[0] + gap[1] * gap[1]).sqrt();
             if best.as_ref().is_none_or(|best| distance < best.distance) {
-                let (unknowns, times) = (pair[0].0 + (pair[1].0 - pair[0].0) * share, pair[0].1);
+                let (unknowns, times) = (&pair[0].0 + (&pair[1].0 - &pair[0].0) * share, pair[0].1);
                 let times = times.cloned().unwrap_or_default();
-                let along = (pair[1].0 - pair[0].0).normalize();
+                let along = (&pair[1].0 - &pair[0].0).normalize();
                 best = Some(Nearest { distance, unknowns, loops, times, along });
             }
         }

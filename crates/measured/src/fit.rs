@@ -169,7 +169,7 @@ impl MPFitter for Problem<'_> {
         // The next evaluations start from the points found here.
         for (datum, (_, found)) in self.data.iter_mut().zip(&here) {
             if let (Datum::Bifurcation(located), Some(found)) = (datum, found) {
-                located.near = *found;
+                located.near = found.clone();
             }
         }
         let moved = |place: usize, by: f64| {

@@ -127,14 +127,13 @@ impl Located {
             let mut times = self.times.clone();
             let found = newton::solve(near, EVALUATIONS, |point| {
                 let system = curve.evaluate(point, &mut times).map_err(Some)?;
-                let null = system.bordered(0.0, &along).jacobian.lu().solve(&Unknowns::w());
-                along = null.ok_or(None)?.normalize();
+                along = system.clone().bordered(0.0, &along).null_direction().ok_or(None)?;
                 Ok::<_, Option<MapError>>(system.bordered(0.0, &along))
             });
             found.ok().map(|found| (found.point, along))
         };
-        let [near, along] = self.near;
-        let (mut at, mut along) = onto(near, along)?;
+        let [near, along] = self.near.clone();
+        let (mut at, mut along) = onto(near.clone(), along)?;
         // The last step, and the remaining distance that was estimated before it.
         let mut last: Option<[f64; 2]> = None;
         for _ in 0..MOST_STEPS {
@@ -144,7 +143,7 @@ impl Located {
             let straight = -(gap[0] * plane[0] + gap[1] * plane[1]) / square;
             let least = FOOT * (1.0 + length(gap));
             if straight.abs() * square.sqrt() <= least {
-                let near = (at - near).norm() < ANOTHER;
+                let near = (&at - near).norm() < ANOTHER;
                 return near.then_some([at, along]);
             }
             // Where the curve bends, the distance along its tangent is too long or too short; the last
@@ -153,7 +152,7 @@ impl Located {
             let mut step = if slope < 0.0 { -straight / slope } else { straight };
             step = step.clamp(-LONGEST, LONGEST);
             (at, along) = loop {
-                match onto(at + along * step, along) {
+                match onto(&at + &along * step, along.clone()) {
                     Some(next) if length(self.gap(&next.0)) < length(gap) + least => break next,
                     _ if step.abs() < SHORTEST => return None,
                     _ => step *= 0.5,

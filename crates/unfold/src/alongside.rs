@@ -193,8 +193,8 @@ fn refined(
     for (index, point) in points.iter().enumerate() {
         line.push(point.solution.parameters());
         while let Some(place) = places.next_if(|place| place.segment == index) {
-            let ends = [0, 1].map(|k| points[index + k].solution.unknowns);
-            let near: Unknowns = ends[0] + (ends[1] - ends[0]) * place.way;
+            let ends = [0, 1].map(|k| points[index + k].solution.unknowns.clone());
+            let near: Unknowns = &ends[0] + (&ends[1] - &ends[0]) * place.way;
             let level = match place.unknown {
                 unknown::PRIMARY => Condition::Primary(place.value),
                 _ => Condition::Secondary(place.value),
@@ -202,9 +202,10 @@ fn refined(
             let conditions = [curve.curve.condition, level];
             // The reach covers the deviation of the curve from its chord, but no more than the next
             // vertices.
-            let reach = (ends[1] - ends[0]).norm();
+            let reach = (&ends[1] - &ends[0]).norm();
             let locate = || {
-                let found = locate_within(reach, equations, conditions, near, &mut point.times.clone());
+                let found =
+                    locate_within(reach, equations, conditions, near.clone(), &mut point.times.clone());
                 found.ok().map(|found| {
                     let mut at = parameters(&found);
                     at[place.unknown - unknown::PRIMARY] = place.value;

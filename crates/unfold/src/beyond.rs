@@ -19,21 +19,24 @@ pub(crate) fn admissible_again(
     route: &Route<'_>,
 ) -> Vec<Curve> {
     let curve = || SolutionCurve { equations: equations.clone(), condition };
-    let start = end.solution.unknowns;
-    let onwards = start - before.solution.unknowns;
+    let start = end.solution.unknowns.clone();
+    let onwards = &start - &before.solution.unknowns;
     let passing = Route { stop_at_events: false, step_limit: FARTHEST, ..*route };
-    let Ok(beyond) = curve().follow(start, onwards, end.times.clone(), &passing) else { return Vec::new() };
+    let Ok(beyond) = curve().follow(start, onwards.clone(), end.times.clone(), &passing) else {
+        return Vec::new();
+    };
     let mut inside: Vec<(Unknowns, EventTimes)> = Vec::new();
     // At the first point the highest maximum lies on the wall.
     let points = beyond.points.get(1..).unwrap_or_default();
     for run in points.chunk_by(|a, b| a.solution.admissible() == b.solution.admissible()) {
         let middle = &run[run.len() / 2];
         if middle.solution.admissible() {
-            inside.push((middle.solution.unknowns, middle.times.clone()));
+            inside.push((middle.solution.unknowns.clone(), middle.times.clone()));
         }
     }
     inside.extend(dips::come_up(equations, &beyond));
-    let through =
-        |(at, times): (Unknowns, EventTimes)| curve().follow_both_ways(at, onwards, &times, route).ok();
+    let through = |(at, times): (Unknowns, EventTimes)| {
+        curve().follow_both_ways(at, onwards.clone(), &times, route).ok()
+    };
     inside.into_iter().filter_map(through).collect()
 }

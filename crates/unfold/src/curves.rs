@@ -62,7 +62,7 @@ impl DiagramCurve {
             for end in [first, last].map(|point| &mut point.solution.unknowns) {
                 let gap = |index: usize| (end[index] - place[index]).abs();
                 if at_grazing(end) && gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < AT_ONE_RESONANCE {
-                    *end = place;
+                    *end = place.clone();
                 }
             }
         }
@@ -71,7 +71,7 @@ impl DiagramCurve {
     /// The first and the last point.
     pub(crate) fn ends(&self) -> [Unknowns; 2] {
         let points = &self.curve.points;
-        [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
+        [points[0].solution.unknowns.clone(), points[points.len() - 1].solution.unknowns.clone()]
     }
 }
 
@@ -131,7 +131,7 @@ pub struct CodimensionTwoPoint {
 impl CodimensionTwoPoint {
     /// The unknowns (y, z, μ, η).
     pub fn unknowns(&self) -> Unknowns {
-        self.event.solution.unknowns
+        self.event.solution.unknowns.clone()
     }
 }
 
@@ -187,7 +187,7 @@ impl Net {
     fn meet(&mut self, curve: &DiagramCurve, event: &Event) {
         let other = Bifurcation::of(event.condition, curve.loops).unwrap_or(Bifurcation::Grazing);
         let kind = CodimensionTwo::of_meeting(curve.kind, other);
-        let unknowns = event.solution.unknowns;
+        let unknowns = event.solution.unknowns.clone();
         if !self.meetings.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
             self.meetings.push(CodimensionTwoPoint {
                 kind,
@@ -225,7 +225,7 @@ impl Net {
                 CodimensionTwo::PitchforkTorus,
             ];
             let Some(kind) = kind.filter(|_| !passed.contains(&meeting)) else { continue };
-            let corner = event.solution.unknowns;
+            let corner = event.solution.unknowns.clone();
             let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))
             });

@@ -104,7 +104,7 @@ const UNDECIDABLE_WIDTH: f64 = 1e-7;
 
 /// The route of curves that are drawn: in a small window steps are also small, down to where curves
 /// are straight.
-fn drawn(window: Window) -> Route<'static> {
+pub(crate) fn drawn(window: Window) -> Route<'static> {
     let control = StepControl::DRAWING;
     let [across, up] = window.widths();
     // A chord of long steps across the shorter side of a long window would deviate too far from its

@@ -96,7 +96,7 @@ fn from(
 ) -> Option<Located> {
     let highest = end.solution.highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
     let mut times = end.times.clone().touching(highest);
-    let start = end.solution.unknowns;
+    let start = end.solution.unknowns.clone();
     let found = locate_within(step, equations, [along, condition], start, &mut times).ok()?;
     Some((condition, found, times))
 }
@@ -126,9 +126,9 @@ mod tests {
         let [.., before, end] = curve.points.as_slice() else { panic!("a point") };
         let equations = LoopEquations::new(oscillator, 2, Formulation::FixedPhase);
         let beyond = SolutionCurve { equations: equations.clone(), condition: curve.condition };
-        let start = end.solution.unknowns;
+        let start = end.solution.unknowns.clone();
         let route = Route { stop_at_events: false, ..route(window, StepControl::DRAWING) };
-        let onwards = start - before.solution.unknowns;
+        let onwards = &start - &before.solution.unknowns;
         let mut beyond = beyond.follow(start, onwards, end.times.clone(), &route).expect("it goes on");
         let on_island = |point: &CurvePoint| {
             point.solution.admissible() && (0.495..0.497).contains(&point.solution.parameters()[1])

@@ -118,11 +118,12 @@ struct Path<'a> {
     loops: u32,
 }
 
-impl CurveEquations<4> for Path<'_> {
+impl CurveEquations for Path<'_> {
+    type Point = Vector4<f64>;
     type Carried = ();
     type Failure = Missing;
 
-    fn evaluate(&self, point: &Vector4<f64>, (): &mut ()) -> Result<Linearisation<4>, Missing> {
+    fn evaluate(&self, point: &Vector4<f64>, (): &mut ()) -> Result<Linearisation<Vector4<f64>>, Missing> {
         let orbit = self.orbit(point)?;
         let map = orbit.map();
         let widths = self.scope.window.widths();

@@ -71,7 +71,7 @@ impl GrazingCurve {
         let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0, passage };
         let start = scope.place(orbit);
         let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
-        let leaves = |before: &Vector3<f64>, (after, tangent): &Tangent<3>| {
+        let leaves = |before: &Vector3<f64>, (after, tangent): &Tangent<Vector3<f64>>| {
             let (edge, _) = on_the_edge(&equations, [1, 2], [before, after])?;
             Some((edge, equations.tangent(&edge, tangent).unwrap_or(*tangent)))
         };
@@ -93,19 +93,19 @@ impl GrazingCurve {
         Ok(Self { states, ends, periods })
     }
 
-    /// The curve along which MPSs touch the wall, as a curve of grazing bifurcations of motion that has an
-    /// impact elsewhere.
+    /// The curve along which solutions with impacts touch the wall, as a curve of grazing bifurcations of motion
+    /// that has impacts elsewhere.
     pub fn of_impacting(equations: &LoopEquations, curve: &Curve, scope: &Scope) -> Self {
         let ends = [WalkEnd::LeftWindow, WalkEnd::LeftWindow];
         let mut states: Vec<GrazingState> = Vec::with_capacity(curve.points.len());
         for CurvePoint { solution, times } in &curve.points {
             let Some(orbit) = equations.touching_orbit(&solution.unknowns, times) else { continue };
             let passage = orbit.passage().clone();
-            let equations =
-                GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0, passage };
+            let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0, passage };
             let place = scope.place(&orbit);
             let onwards = states.last().map_or(Vector3::z(), |last| place - scope.place(&last.orbit));
-            let state = equations.tangent(&place, &onwards).and_then(|tangent| equations.state(&place, &tangent));
+            let state =
+                equations.tangent(&place, &onwards).and_then(|tangent| equations.state(&place, &tangent));
             let Some(state) = state else { continue };
             if let Some(last) = states.pop() {
                 equations.fill(last, &state, HALVINGS, &mut states);
@@ -226,7 +226,8 @@ struct GrazingEquations<'a> {
     passage: Passage,
 }
 
-impl CurveEquations<3> for GrazingEquations<'_> {
+impl CurveEquations for GrazingEquations<'_> {
+    type Point = Vector3<f64>;
     /// The way of the last orbit.
     type Carried = Option<Passage>;
     type Failure = MapError;
@@ -235,7 +236,7 @@ impl CurveEquations<3> for GrazingEquations<'_> {
         &self,
         point: &Vector3<f64>,
         passage: &mut Option<Passage>,
-    ) -> Result<Linearisation<3>, MapError> {
+    ) -> Result<Linearisation<Vector3<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
         let passage = passage.get_or_insert_with(|| self.passage.clone());
         let (jet, _) = passage.global_map::<_, 1>(&oscillator, AtRest::new(self.height, point[0]))?;
@@ -304,7 +305,7 @@ impl GrazingEquations<'_> {
 
     /// The states at the points, and at more points between them where A turns far from one to the
     /// next.
-    fn states(&self, points: &[Tangent<3>]) -> Vec<GrazingState> {
+    fn states(&self, points: &[Tangent<Vector3<f64>>]) -> Vec<GrazingState> {
         let mut states: Vec<GrazingState> = Vec::with_capacity(points.len());
         for (point, tangent) in points {
             let Some(state) = self.state(point, tangent) else { continue };

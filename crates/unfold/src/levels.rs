@@ -197,7 +197,7 @@ pub(crate) fn find(
             continue;
         }
         let mut times = times.clone();
-        match locate_within(length, equations, [condition, along], near, &mut times) {
+        match locate_within(length, equations, [condition, along], near.clone(), &mut times) {
             Ok(start) if property.margin(condition, &equations.solution(&start)) >= 0.0 => {
                 let begun = (condition, start, times);
                 let curves = followed(slicer, route, property, begun, &found.curves);
@@ -230,7 +230,7 @@ pub fn through(
     let slicer = Slicer::new(equations.clone(), window, StepControl::DRAWING);
     let route = Route { stop_at_events: false, ..route(window, StepControl::DRAWING) };
     let conditions = property.conditions(equations, &equations.solution(&start));
-    let begun = conditions.into_iter().map(|condition| (condition, start, times.clone()));
+    let begun = conditions.into_iter().map(|condition| (condition, start.clone(), times.clone()));
     begun.flat_map(|begun| followed(&slicer, &route, property, begun, &[])).collect()
 }
 
@@ -257,12 +257,15 @@ fn followed(
             continue;
         }
         let curve = SolutionCurve { equations: equations.clone(), condition };
-        let follow = |way| curve.clone().follow_both_ways(start, way, &times, route).ok();
-        let whole = follow(Unknowns::w()).or_else(|| follow(Unknowns::z()));
+        let follow = |unknown| {
+            let way = start.along(unknown);
+            curve.clone().follow_both_ways(start.clone(), way, &times, route).ok()
+        };
+        let whole = follow(unknown::SECONDARY).or_else(|| follow(unknown::PRIMARY));
         for part in whole.into_iter().flat_map(|whole| parts(equations, property, with_events(whole))) {
             for end in [part.beginning.as_ref(), Some(&part.end)] {
                 if let Some(CurveEnd::Event(corner)) = end {
-                    begun.push((corner.condition, corner.solution.unknowns, corner.times.clone()));
+                    begun.push((corner.condition, corner.solution.unknowns.clone(), corner.times.clone()));
                 }
             }
             all.push(part);
@@ -283,11 +286,11 @@ fn crossed<'a>(equations: &LoopEquations, source: &'a Curve, property: Property)
             if before * after > 0.0 || !(before - after).is_normal() {
                 continue;
             }
-            let chord = to.unknowns - from.unknowns;
+            let chord = &to.unknowns - &from.unknowns;
             crossings.push(Crossing {
                 along: source.condition,
                 condition,
-                near: from.unknowns + chord * (before / (before - after)),
+                near: &from.unknowns + &chord * (before / (before - after)),
                 length: chord.norm(),
                 times: &pair[0].times,
             });
@@ -304,10 +307,10 @@ fn off_grazing(
     [at, next]: [&CurvePoint; 2],
 ) -> Option<PeriodicSolution> {
     if at.solution.impact_velocity() > 0.0 {
-        return Some(at.solution);
+        return Some(at.solution.clone());
     }
-    let chord = next.solution.unknowns - at.solution.unknowns;
-    let near = at.solution.unknowns + chord * (BESIDE_GRAZING / chord[unknown::VELOCITY]);
+    let chord = &next.solution.unknowns - &at.solution.unknowns;
+    let near = &at.solution.unknowns + &chord * (BESIDE_GRAZING / chord[unknown::VELOCITY]);
     let conditions = [along.condition, Condition::ImpactVelocity(BESIDE_GRAZING)];
     let beside = locate_within(chord.norm(), equations, conditions, near, &mut next.times.clone());
     beside.ok().map(|beside| equations.solution(&beside))
@@ -369,13 +372,14 @@ fn corner_between(
 ) -> Option<(Option<CurvePoint>, CurveEnd)> {
     let other = property.corner(condition, &before.solution)?;
     let [from, to] = [before, after].map(|point| property.margin(condition, &point.solution));
-    let chord = after.solution.unknowns - before.solution.unknowns;
-    let near = before.solution.unknowns + chord * (from / (from - to));
+    let chord = &after.solution.unknowns - &before.solution.unknowns;
+    let near = &before.solution.unknowns + chord * (from / (from - to));
     let mut times = before.times.clone();
     Some(match locate_within(CARRIED_OFF, equations, [condition, other], near, &mut times) {
         Ok(corner) => {
             let solution = equations.solution(&corner);
-            let event = Event { condition: other, solution, index: 0, times: times.clone() };
+            let event =
+                Event { condition: other, solution: solution.clone(), index: 0, times: times.clone() };
             (Some(CurvePoint { solution, times }), CurveEnd::Event(Box::new(event)))
         }
         Err(failure) => (None, CurveEnd::EventNotLocated { condition: other, failure }),

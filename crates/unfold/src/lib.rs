@@ -76,6 +76,7 @@ mod error;
 pub mod escape;
 mod faces;
 pub mod family;
+pub mod generations;
 pub mod grazing;
 pub mod levels;
 pub mod long_time;

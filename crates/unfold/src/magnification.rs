@@ -65,7 +65,7 @@ pub fn magnify(
     list.extend(unfolded.curves().filter_map(own));
     // The resonance's own curves are included already; one of them may begin outside and enter
     // again.
-    let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns);
+    let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns.clone());
     let starts: Vec<_> = unfolded.curves().map(start).collect();
     let shown = |curve: &DiagramCurve| {
         let begins = |end| {

@@ -277,7 +277,7 @@ fn mps_branches(
         let mut slice = Slice::new(secondary, slice.branches);
         let own = found.iter().filter(|(loops, _)| *loops == equations.loops());
         let slicer = slicer(&equations);
-        slicer.through(&mut slice, own.map(|(_, solution)| *solution));
+        slicer.through(&mut slice, own.map(|(_, solution)| solution.clone()));
         let branches = slicer.distinct(slice).into_iter();
         branches.map(|curve| Branch { equations: equations.clone(), curve }).collect::<Vec<_>>()
     };

@@ -83,11 +83,12 @@ fn ends(equations: &LoopEquations, curve: &DiagramCurve, route: Option<&Route<'_
     let [first, second, ..] = points.as_slice() else { return Vec::new() };
     let [.., before, last] = points.as_slice() else { return Vec::new() };
     let reached = |[before, at]: [&CurvePoint; 2], end: Option<&CurveEnd>| {
-        let here = at.solution.unknowns;
+        let here = at.solution.unknowns.clone();
         let Some(route) = route.filter(|_| matches!(end, Some(CurveEnd::LeftWindow))) else { return here };
         let curve = SolutionCurve { equations: equations.clone(), condition: *condition };
-        let further = curve.follow(here, here - before.solution.unknowns, at.times.clone(), route).ok();
-        further.and_then(|further| Some(further.points.last()?.solution.unknowns)).unwrap_or(here)
+        let further =
+            curve.follow(here.clone(), &here - &before.solution.unknowns, at.times.clone(), route).ok();
+        further.and_then(|further| Some(further.points.last()?.solution.unknowns.clone())).unwrap_or(here)
     };
     vec![reached([second, first], beginning.as_ref()), reached([before, last], Some(end))]
 }

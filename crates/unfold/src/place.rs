@@ -320,7 +320,7 @@ fn non_impacting<'a>(
     let mut found: Vec<Unknowns> = Vec::new();
     for [x, y] in starts.chain(rest) {
         let Some(orbit) = solved(oscillator, 0, &Vector2::new(x, y)) else { continue };
-        if !found.iter().any(|known| (known - orbit).norm() < BETWEEN_ORBITS) {
+        if !found.iter().any(|known| (known - &orbit).norm() < BETWEEN_ORBITS) {
             found.push(orbit);
         }
     }

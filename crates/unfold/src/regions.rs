@@ -62,7 +62,7 @@ pub(crate) fn of_mps(
     let found = search::on_slices(oscillator, &scope.loops, window, &levels, progress);
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
-        let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();
+        let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| solution.clone()).collect();
         let mut survey = Survey::new(net, scope, grazing, found);
         let regions = decided(window, &mut survey, &levels, progress);
         let levels = survey.levels(asked, progress);

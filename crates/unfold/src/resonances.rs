@@ -7,6 +7,7 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::HypothesesViolated;
+use grazing_theorems::from_map::GrazingOrbit;
 
 use crate::Scope;
 use crate::grazing::{GrazingCurve, GrazingState};
@@ -20,7 +21,7 @@ pub struct Resonance {
     /// Number of loops p.
     pub loops: u32,
     /// The integer n: half-turns (p = 1) or whole turns (p ≥ 2) of neighbouring motion in a forcing
-    /// period.
+    /// period; 0 where the grazing orbit has impacts elsewhere.
     pub n: u32,
     /// The resonance as located.
     pub located: LocatedResonance,
@@ -109,7 +110,8 @@ const LEAST: f64 = 1e-2;
 
 fn numbered(located: LocatedResonance) -> Resonance {
     let loops = located.loops();
-    Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
+    let n = if located.orbit().impacts().is_empty() { winding::index(located.orbit(), loops) } else { 0 };
+    Resonance { loops, n, theorem: located.checked(), located }
 }
 
 /// Number of parts of a stretch in which bisection begins.
@@ -187,8 +189,14 @@ impl<'a> Stretch<'a> {
     }
 
     fn locate(&self, way: f64, loops: u32) -> Result<LocatedResonance, ResonanceError> {
-        let oscillator = self.ends[0].orbit.oscillator().with_parameters(self.parameters(way));
-        LocatedResonance::find(&oscillator, loops, self.interpolated(way, |state| state.orbit.phase()))
+        let beside = &self.ends[0].orbit;
+        let oscillator = beside.oscillator().with_parameters(self.parameters(way));
+        let phase = self.interpolated(way, |state| state.orbit.phase());
+        if beside.impacts().is_empty() {
+            return LocatedResonance::find(&oscillator, loops, phase);
+        }
+        let orbit = GrazingOrbit::along(&oscillator, phase, beside.passage().clone())?;
+        LocatedResonance::of_impacting(orbit, loops)
     }
 }
 

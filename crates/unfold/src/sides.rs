@@ -238,12 +238,12 @@ impl Sides {
         let find = |conditions, near| locate(equations, conditions, near, &mut EventTimes::default());
 
         let direction = point.direction(own);
-        let near = point.unknowns() + direction * (velocity / direction[unknown::VELOCITY]);
+        let near = point.unknowns() + &direction * (velocity / direction[unknown::VELOCITY]);
         let middle = find([own, Condition::ImpactVelocity(velocity)], near)?;
         let aside = ASIDE * (1.0 - ratio).abs().min(1.0);
         let branch = Condition::Secondary(middle[unknown::SECONDARY]);
         let beside = |share: f64| {
-            let mut near = middle;
+            let mut near = middle.clone();
             near[unknown::VELOCITY] = share * velocity;
             find([branch, Condition::ImpactVelocity(share * velocity)], near)
         };
@@ -257,17 +257,17 @@ impl Sides {
         let grazing = &point.resonant_point().grazing;
         let contracts =
             libm::pow(grazing.map.determinant(), f64::from(point.loops())) * grazing.phi * grazing.phi < 1.0;
-        let predicted = solutions.map(|solution| {
+        let predicted = solutions.each_ref().map(|solution| {
             let velocity = solution[unknown::VELOCITY];
             contracts
                 && stability.plus * (velocity - saddle_node) < 0.0
                 && stability.minus * (velocity - period_doubling) > 0.0
         });
 
-        let oscillators = solutions.map(|solution| equations.oscillator_at(&solution));
+        let oscillators = solutions.each_ref().map(|solution| equations.oscillator_at(solution));
         let suspects = [0, 1].map(|k| Suspect::of(&oscillators[k], point.loops(), &solutions[k]));
         let gone_beyond = if kind == Bifurcation::SaddleNode {
-            let mut beyond = middle;
+            let mut beyond = middle.clone();
             // As far on the other side of the curve as the MPSs lie on theirs.
             beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];
             Suspect::of(&equations.oscillator_at(&beyond), point.loops(), &beyond).leaves()

@@ -15,12 +15,12 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
+use grazing_continuation::newton::Space;
 use grazing_continuation::tolerances::RECURS;
 use grazing_model::motion::Motion;
 use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
 use grazing_model::{ImpactOscillator, State};
-use nalgebra::SVector;
 
 use crate::dips;
 use crate::grazing::HighestPoint;
@@ -154,8 +154,8 @@ impl Slicer {
             return point[unknown::VELOCITY] > 0.0;
         }
         self.halved.as_ref().is_none_or(|halved| {
-            let half_way = halved.pair::<1>(point, &mut EventTimes::default());
-            half_way.is_ok_and(|pair| pair.difference().0.norm() > RECURS)
+            let half_way = halved.maps::<1>(point, &mut EventTimes::default());
+            half_way.is_ok_and(|maps| maps.distance() > RECURS)
         })
     }
 
@@ -252,12 +252,16 @@ impl Slicer {
                 goes_on.then_some(f64::INFINITY)
             };
             let route = Route { pace: Some(&pace), ..route };
-            let both_ways = || curve.follow_both_ways(through, -Unknowns::z(), times, &route);
+            let both_ways = || {
+                let leftwards = -through.along(unknown::PRIMARY);
+                curve.follow_both_ways(through.clone(), leftwards, times, &route)
+            };
             Purpose::FreeBranches.during(both_ways)
         } else {
+            let faster = through.along(unknown::VELOCITY);
             Purpose::Branches.during(|| match both {
-                true => curve.follow_both_ways(through, Unknowns::x(), times, &route),
-                false => curve.follow(through, Unknowns::x(), times.clone(), &route),
+                true => curve.follow_both_ways(through, faster, times, &route),
+                false => curve.follow(through, faster, times.clone(), &route),
             })
         };
         slice.branches.extend(followed.map(|branch| self.whole(branch)));
@@ -313,23 +317,24 @@ impl Slicer {
     pub(crate) fn upwards(&self, through: &Unknowns, times: &EventTimes) -> Option<Curve> {
         let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
         let (curve, route) = self.branch(Condition::Primary(through[unknown::PRIMARY]), window, through);
+        let upwards = through.along(unknown::SECONDARY);
         if self.equations.has_impacts() {
             let followed =
-                Purpose::Columns.during(|| curve.follow_both_ways(*through, Unknowns::w(), times, &route));
+                Purpose::Columns.during(|| curve.follow_both_ways(through.clone(), upwards, times, &route));
             return Some(self.whole(followed.ok()?));
         }
         let pace = Pace::new(&self.equations, window, through);
         let pace = |points: &[CurvePoint], tangent: &Unknowns| pace.longest(points, tangent, size(through));
         let route = Route { pace: Some(&pace), ..route };
         let followed =
-            Purpose::FreeBranches.during(|| curve.follow_both_ways(*through, Unknowns::w(), times, &route));
+            Purpose::FreeBranches.during(|| curve.follow_both_ways(through.clone(), upwards, times, &route));
         Some(self.whole(followed.ok()?))
     }
 }
 
 /// The ratio of the size of motion from a state to the usual one, at least 1.
 fn size(through: &Unknowns) -> f64 {
-    (through.fixed_rows::<2>(0).norm() / LARGE).max(1.0)
+    (libm::hypot(through[0], through[1]) / LARGE).max(1.0)
 }
 
 /// A point at which a chord of a curve has a given value of one of the unknowns.
@@ -347,8 +352,9 @@ pub(crate) struct Crossing {
 /// The points at which the chords of a curve have a given value of one of the unknowns.
 pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Iterator<Item = Crossing> {
     curve.points.windows(2).filter_map(move |pair| {
-        let chord @ [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
-        let [from, to] = chord.map(|point| point[unknown] - value);
+        let chord = [0, 1].map(|k| pair[k].solution.unknowns.clone());
+        let [a, b] = &chord;
+        let [from, to] = [a, b].map(|point| point[unknown] - value);
         let crosses = from * to <= 0.0 && from != to;
         let place = a + (b - a) * (from / (from - to));
         crosses.then(|| Crossing { condition: curve.condition, chord, place, times: pair[0].times.clone() })
@@ -357,11 +363,7 @@ pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Itera
 
 /// Whether the distance of the origin from a chord that begins at `start` is less than a fraction
 /// of its length.
-pub(crate) fn near_chord<const N: usize>(
-    start: &SVector<f64, N>,
-    chord: &SVector<f64, N>,
-    share: f64,
-) -> bool {
-    let along = (-start.dot(chord) / chord.norm_squared()).clamp(0.0, 1.0);
-    (start + chord * along).norm() < share * chord.norm()
+pub(crate) fn near_chord<V: Space>(start: &V, chord: &V, share: f64) -> bool {
+    let along = (-start.dot(chord) / chord.dot(chord)).clamp(0.0, 1.0);
+    (start.clone() + chord.clone() * along).norm() < share * chord.norm()
 }

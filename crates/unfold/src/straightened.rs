@@ -151,13 +151,13 @@ fn far(
     let beyond = |point: &CurvePoint| point.solution.parameters()[1] - secondary;
     let pair = outwards.windows(2).find(|pair| beyond(pair[0]) * beyond(pair[1]) <= 0.0)?;
     let way = beyond(pair[0]) / (beyond(pair[0]) - beyond(pair[1]));
-    let [from, to] = [pair[0], pair[1]].map(|point| point.solution.unknowns);
+    let [from, to] = [pair[0], pair[1]].map(|point| point.solution.unknowns.clone());
     let conditions = [curve.condition, Condition::Secondary(secondary)];
     let mut distance = |equations: &LoopEquations| {
         // The maximum that touches the wall has no time at the resonance, but has one at the next
         // point.
         let mut times = pair[1].times.clone();
-        let found = locate(equations, conditions, from + (to - from) * way, &mut times).ok()?;
+        let found = locate(equations, conditions, &from + (&to - &from) * way, &mut times).ok()?;
         *near = near.moved(&equations.oscillator_at(&found), secondary).ok()?;
         Some((found[unknown::PRIMARY] - near.parameters[0]) / (eta * eta))
     };

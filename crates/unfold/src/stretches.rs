@@ -100,7 +100,7 @@ fn middle_of(
     a: &PeriodicSolution,
     b: &PeriodicSolution,
 ) -> Option<PeriodicSolution> {
-    let middle = (a.unknowns + b.unknowns) * 0.5;
+    let middle = (&a.unknowns + &b.unknowns) * 0.5;
     let conditions = Condition::beside(equations, &middle);
     let found = locate(equations, conditions, middle, &mut EventTimes::default()).ok()?;
     Some(equations.solution(&found))

@@ -168,7 +168,7 @@ impl<'a> Survey<'a> {
             self.slices.par_iter_mut().for_each(|slice| {
                 let secondary = slice.secondary;
                 let here = found.iter().filter(|solution| solution[unknown::SECONDARY] == secondary);
-                self.slicer.through(slice, here.copied());
+                self.slicer.through(slice, here.cloned());
             });
         }
         true
@@ -297,9 +297,9 @@ impl<'a> Survey<'a> {
         let beside = |curve: &DiagramCurve| {
             let points = &curve.curve.points;
             let middle = &points[points.len() / 2];
-            let from = middle.solution.unknowns;
+            let from = middle.solution.unknowns.clone();
             ASIDE.iter().find_map(|by| {
-                let mut near = from;
+                let mut near = from.clone();
                 near[unknown::VELOCITY] += by;
                 let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
                 let conditions = [Condition::Secondary(from[unknown::SECONDARY]), held];
@@ -388,13 +388,13 @@ mod tests {
             let multipliers = Multipliers { trace: 0.0, determinant: 0.5 };
             let solution = PeriodicSolution {
                 loops: 0,
-                unknowns: Unknowns::zeros(),
+                unknowns: Unknowns::new(0.0, 0.0, 0.0, 0.0),
                 multipliers,
                 highest_interior_maximum,
             };
             CurvePoint { solution, times: EventTimes::default() }
         };
-        let goes_on = |points: &[CurvePoint]| in_sight(points, &Unknowns::zeros()).is_some();
+        let goes_on = |points: &[CurvePoint]| in_sight(points, &Unknowns::new(0.0, 0.0, 0.0, 0.0)).is_some();
         let mut points = vec![point(-0.1); 90];
         points.extend(vec![point(0.1); OUT_OF_SIGHT - 1]);
         assert!(goes_on(&points));

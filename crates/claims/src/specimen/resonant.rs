@@ -125,8 +125,8 @@ impl ResonantSpecimen {
     }
 
     /// The two paths from the impact of a point to one surface, to first order.
-    pub(crate) fn pair(&self, near: &Near) -> Result<LoopPair, MapError> {
-        self.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default())
+    pub(crate) fn maps(&self, near: &Near) -> Result<Round, MapError> {
+        self.resonance.equations().maps::<1>(&near.unknowns, &mut EventTimes::default())
     }
 
     /// The MPS at a point.
@@ -184,7 +184,7 @@ impl Near {
 
     /// The impact (y, z).
     pub(crate) fn impact(&self) -> Vector2<f64> {
-        self.unknowns.fixed_rows::<2>(0).into_owned()
+        Vector2::new(self.unknowns[0], self.unknowns[1])
     }
 }
 

@@ -137,7 +137,7 @@ fn followed_slopes(curve: &Curve, grazing: f64, phase: f64) -> [f64; 2] {
         .iter()
         .skip(1)
         .map(|point| {
-            let [y, z, amplitude, _]: [f64; 4] = point.solution.unknowns.into();
+            let [y, z, amplitude, _]: [f64; 4] = point.solution.unknowns.clone().into();
             // Both are smooth in y and finite at y = 0.
             [y, (amplitude - grazing) / y, (z - phase) / y]
         })

@@ -9,7 +9,7 @@ use crate::locate::{Condition, LocateFailure, locate_grazing_end, locate_within}
 use crate::mps::{EventTimes, PeriodicSolution, Stability, Unknowns, unknown};
 use crate::tolerances::{CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
 
-pub(super) type CurveStation = Station<4, EventTimes>;
+pub(super) type CurveStation = Station<Unknowns, EventTimes>;
 
 /// The events that can occur along a curve.
 pub(super) const EVENTS: [Condition; 5] = [
@@ -62,7 +62,7 @@ pub(super) fn changes(past: Signs, now: Signs) -> impl Iterator<Item = usize> {
 impl<O: ImpactOscillator> SolutionCurve<O> {
     /// Whether a point lies on the grazing curve, with y = 0.
     pub(super) fn is_at_grazing(&self, point: &Unknowns) -> bool {
-        self.equations.has_impacts() && point[unknown::VELOCITY] == 0.0
+        self.equations.has_impacts() && point.lowest_velocity().1 == 0.0
     }
 
     /// The signs at the start, unless it is itself a codimension-two point, where one of the
@@ -73,7 +73,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
         if at_grazing {
             // The maxima of all loops touch the wall there; in which direction they leave it is
             // decided a little farther on.
-            solution = self.equations.solution(&(first.point + first.tangent * BESIDE_GRAZING));
+            solution = self.equations.solution(&(&first.point + &first.tangent * BESIDE_GRAZING));
         }
         let clear = match self.condition {
             // Where another maximum touches the wall its sign is arbitrary.
@@ -120,7 +120,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
                 Err(failure) => return Err(CurveEnd::EventNotLocated { condition, failure }),
             }
         }
-        let way = |event: &Event| self.before.tangent.dot(&(event.solution.unknowns - self.before.point));
+        let way = |event: &Event| self.before.tangent.dot(&(&event.solution.unknowns - &self.before.point));
         located.sort_by(|a, b| way(a).total_cmp(&way(b)));
         Ok(located)
     }
@@ -134,16 +134,16 @@ impl<O: ImpactOscillator> Step<'_, O> {
         let Self { before, after, .. } = *self;
         let equations = &self.followed.equations;
         let mut times = after.carried.clone();
-        let mut near = (before.point + after.point) * 0.5;
+        let mut near = (&before.point + &after.point) * 0.5;
         let mut sought = condition;
         if condition == Condition::InteriorGrazing {
             // The maximum that crosses the wall is the highest one at whichever end is
             // inadmissible.
             let solution = if beyond.touches() {
-                near = after.point;
-                *beyond
+                near = after.point.clone();
+                beyond.clone()
             } else {
-                near = before.point;
+                near = before.point.clone();
                 times = before.carried.clone();
                 equations.solution(&before.point)
             };
@@ -200,7 +200,8 @@ impl<O: ImpactOscillator> Step<'_, O> {
             }
             let tolerance = StepControl::DRAWING.tolerance;
             let control = StepControl { first: half, longest: half, tolerance, ..self.control };
-            let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
+            let (point, tangent, times) =
+                (before.point.clone(), before.tangent.clone(), before.carried.clone());
             let mut walker = Continuation::new(self.followed, control, point, tangent, times).ok()?;
             let middle = walker.advance().ok()?.clone();
             if comes_later(&middle) {
@@ -215,22 +216,23 @@ impl<O: ImpactOscillator> Step<'_, O> {
         None
     }
 
-    /// The point on the step where the impact velocity vanishes.
-    pub(super) fn grazing(&self) -> Result<(Unknowns, EventTimes), LocateFailure> {
+    /// The point on the step where the velocity of an impact vanishes.
+    pub(super) fn grazing(&self, impact: usize) -> Result<(Unknowns, EventTimes), LocateFailure> {
         let located = |step: &Step<'_, O>| {
-            let near = step.on_chord(unknown::VELOCITY, 0.0);
+            let near = step.on_chord(unknown::velocity(impact), 0.0);
             let mut times = step.after.carried.clone();
             let SolutionCurve { equations, condition } = step.followed;
             let located = match condition {
-                Condition::InteriorGrazing => {
-                    locate_grazing_end(equations, near, &mut times).and_then(|point| step.holds(point, near))
+                Condition::InteriorGrazing if near.impacts() == 1 => {
+                    locate_grazing_end(equations, near.clone(), &mut times)
+                        .and_then(|point| step.holds(point, near))
                 }
-                _ => step.located_near(Condition::ImpactVelocity(0.0), near, &mut times),
+                _ => step.located_near(Condition::stopped(impact), near, &mut times),
             };
             located.map(|point| (point, times))
         };
         located(self).or_else(|failure| {
-            let comes_later = |middle: &CurveStation| middle.point[unknown::VELOCITY] > NO_VELOCITY;
+            let comes_later = |middle: &CurveStation| middle.point[unknown::velocity(impact)] > NO_VELOCITY;
             self.cut(comes_later, |part| located(part).ok()).ok_or(failure)
         })
     }
@@ -243,18 +245,23 @@ impl<O: ImpactOscillator> Step<'_, O> {
         times: &mut EventTimes,
     ) -> Result<Unknowns, LocateFailure> {
         let SolutionCurve { equations, condition: along } = self.followed;
-        let point =
-            locate_within(FARTHEST_ITERATE * self.length(), equations, [*along, condition], near, times)?;
+        let point = locate_within(
+            FARTHEST_ITERATE * self.length(),
+            equations,
+            [*along, condition],
+            near.clone(),
+            times,
+        )?;
         self.holds(point, near)
     }
 
     fn length(&self) -> f64 {
-        (self.after.point - self.before.point).norm()
+        (&self.after.point - &self.before.point).norm()
     }
 
     /// Returns a point that was sought on the step, from near it, unless it lies elsewhere.
     fn holds(&self, point: Unknowns, near: Unknowns) -> Result<Unknowns, LocateFailure> {
-        let (distance, step) = ((point - near).norm(), self.length());
+        let (distance, step) = ((&point - near).norm(), self.length());
         if distance > FARTHEST_EVENT * step {
             return Err(LocateFailure::Elsewhere { distance, step });
         }
@@ -263,9 +270,9 @@ impl<O: ImpactOscillator> Step<'_, O> {
 
     /// The point on the chord where one coordinate takes a value.
     pub(super) fn on_chord(&self, coordinate: usize, value: f64) -> Unknowns {
-        let [before, after] = [self.before, self.after].map(|end| end.point);
+        let [before, after] = [self.before, self.after].map(|end| end.point.clone());
         let (a, b) = (before[coordinate], after[coordinate]);
-        let mut point = before + (after - before) * ((value - a) / (b - a));
+        let mut point = &before + (after - &before) * ((value - a) / (b - a));
         point[coordinate] = value;
         point
     }

@@ -3,7 +3,7 @@
 use grazing_model::MapJet;
 
 use super::Unknowns;
-use crate::solution::parameters;
+use crate::unknowns::parameters;
 
 /// A symmetry of an oscillator without its wall: with x(t), 2c − x(t + T/2) is a motion as well.
 ///

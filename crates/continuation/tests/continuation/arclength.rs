@@ -24,11 +24,16 @@ impl core::fmt::Display for Outside {
     }
 }
 
-impl CurveEquations<2> for PlaneCurve {
+impl CurveEquations for PlaneCurve {
+    type Point = Vector2<f64>;
     type Carried = usize;
     type Failure = Outside;
 
-    fn evaluate(&self, point: &Vector2<f64>, _carried: &mut usize) -> Result<Linearisation<2>, Outside> {
+    fn evaluate(
+        &self,
+        point: &Vector2<f64>,
+        _carried: &mut usize,
+    ) -> Result<Linearisation<Vector2<f64>>, Outside> {
         if !(self.defined)(point[0], point[1]) {
             return Err(Outside);
         }
@@ -51,7 +56,7 @@ impl PlaneCurve {
         control: StepControl,
         at: [f64; 2],
         to: [f64; 2],
-    ) -> Result<Continuation<'_, 2, Self>, Stall<Outside>> {
+    ) -> Result<Continuation<'_, Self>, Stall<Outside>> {
         Continuation::new(self, control, Vector2::from(at), Vector2::from(to), 0)
     }
 }

@@ -114,7 +114,7 @@ fn second_doubling<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f
     let eta = size / (scale.velocity * map.period_doubling()[0]);
     let found = DoubledEquations::new(resonance.equations()).flip(resonance, eta)?;
     let place = resonance.near(eta, 0.0, map.fixed_point(0.0).0).unwrap();
-    Some((found.primary() - place[unknown::PRIMARY]) / (scale.parameter * eta * eta))
+    Some((found[unknown::PRIMARY] - place[unknown::PRIMARY]) / (scale.parameter * eta * eta))
 }
 
 fn assert_the_system_does_as_the_map<O: ImpactOscillator>(resonance: &LocatedResonance<O>, size: f64) {

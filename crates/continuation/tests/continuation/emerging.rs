@@ -42,9 +42,9 @@ fn deviation<O: ImpactOscillator>(
     let pair = curve.points.windows(2).find(|pair| beyond(&pair[0]) * beyond(&pair[1]) <= 0.0);
     let pair = pair.expect("the curve passes this eta");
     let way = beyond(&pair[0]) / (beyond(&pair[0]) - beyond(&pair[1]));
-    let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+    let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns.clone());
     let conditions = [curve.condition, Condition::Secondary(secondary)];
-    let found = locate(equations, conditions, a + (b - a) * way, &mut pair[0].times.clone()).unwrap();
+    let found = locate(equations, conditions, &a + (b - &a) * way, &mut pair[0].times.clone()).unwrap();
     found[unknown::VELOCITY] / (eta * bound.velocity_slope) - 1.0
 }
 

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, Multipliers, Round, Unknowns, unknown,
 };
 use grazing_model::LinearOscillator;
 use proptest::strategy::{Strategy, ValueTree};
@@ -39,7 +39,7 @@ fn specimen([zeta, epsilon, omega]: [f64; 3], loops: u32, share: f64) -> Option<
     let chosen = usable.get((share * usable.len() as f64) as usize)?;
     Some(Specimen {
         equations,
-        point: chosen.solution.unknowns,
+        point: chosen.solution.unknowns.clone(),
         times: chosen.times.clone(),
         phi: epsilon,
         delta: grazing.determinant(),
@@ -63,9 +63,9 @@ fn specimens() -> &'static [Specimen] {
 #[test]
 fn a_zero_of_one_is_a_zero_of_the_other() {
     for Specimen { equations, point, times, .. } in specimens() {
-        let vivid = equations.pair::<1>(point, &mut times.clone()).unwrap().difference().0;
+        let vivid = equations.maps::<1>(point, &mut times.clone()).unwrap().first().difference().0;
         let other = equations.with_formulation(Formulation::FixedPhase);
-        let fixed_phase = other.pair::<1>(point, &mut EventTimes::default()).unwrap().difference().0;
+        let fixed_phase = other.maps::<1>(point, &mut EventTimes::default()).unwrap().first().difference().0;
         // A few roundings of velocities and phases of order ten, amplified by p loops.
         assert_within(vivid.norm(), 0.0, 1e-12);
         assert_within(fixed_phase.norm(), 0.0, 1e-12);
@@ -77,7 +77,7 @@ fn newton_without_virtual_points_leads_to_the_zero_of_vivid() {
     let mut compared = 0;
     for Specimen { equations, point, .. } in specimens() {
         let other = equations.with_formulation(Formulation::FixedPhase);
-        let jacobian = other.pair::<1>(point, &mut EventTimes::default()).unwrap().difference().1;
+        let jacobian = other.maps::<1>(point, &mut EventTimes::default()).unwrap().first().difference().1;
         // Near a fold the start may be nearer to the other zero.
         if jacobian.fixed_columns::<2>(0).into_owned().determinant().abs() < 1e-2 {
             continue;
@@ -98,9 +98,9 @@ fn newton_without_virtual_points_leads_to_the_zero_of_vivid() {
 #[test]
 fn both_give_the_same_multipliers() {
     for Specimen { equations, point, times, .. } in specimens() {
-        let vivid = equations.pair::<1>(point, &mut times.clone()).unwrap().multipliers();
+        let vivid = equations.maps::<1>(point, &mut times.clone()).unwrap().multipliers();
         let other = equations.with_formulation(Formulation::FixedPhase);
-        let fixed_phase = other.pair::<1>(point, &mut EventTimes::default()).unwrap().multipliers();
+        let fixed_phase = other.maps::<1>(point, &mut EventTimes::default()).unwrap().multipliers();
         let solution = equations.solution(point).multipliers;
         for multipliers in [vivid, solution] {
             assert_within(multipliers.trace, fixed_phase.trace, noise(&fixed_phase));
@@ -120,7 +120,7 @@ fn determinant_of_the_multipliers_is_that_of_p_loops_and_one_impact() {
     // Liouville: every loop contracts areas by δ and the impact by φ².
     for specimen in specimens() {
         let Specimen { equations, point, times, .. } = specimen;
-        let multipliers = equations.pair::<1>(point, &mut times.clone()).unwrap().multipliers();
+        let multipliers = equations.maps::<1>(point, &mut times.clone()).unwrap().multipliers();
         let expected = specimen.phi * specimen.phi * libm::pow(specimen.delta, f64::from(equations.loops()));
         assert_within(multipliers.determinant, expected, noise(&multipliers));
     }
@@ -130,8 +130,8 @@ fn determinant_of_the_multipliers_is_that_of_p_loops_and_one_impact() {
 fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros() {
     // VIVID's function over det D P_virt is 1 ∓ T + D, with T and D taken from the other form.
     for Specimen { equations, point, times, .. } in specimens() {
-        let pair = equations.pair::<1>(point, &mut times.clone()).unwrap();
-        let factor = pair.impact.derivative().determinant();
+        let pair = equations.maps::<1>(point, &mut times.clone()).unwrap();
+        let factor = pair.first().impact.derivative().determinant();
         let other = equations.solution(point).multipliers;
         for sign in [1.0, -1.0] {
             let expected = 1.0 - sign * other.trace + other.determinant;
@@ -142,7 +142,7 @@ fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros(
 }
 
 /// A function that vanishes at a bifurcation, with its gradient.
-type Vanishing = fn(&LoopPair) -> (f64, Unknowns);
+type Vanishing = fn(&Round) -> (f64, Unknowns);
 
 #[test]
 fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
@@ -152,7 +152,7 @@ fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
             let equations = equations.with_formulation(formulation);
             // The event times hold the plane of constant phase while the phase is varied.
             let mut times = times.clone();
-            let pair = equations.pair::<2>(point, &mut times).unwrap();
+            let pair = equations.maps::<2>(point, &mut times).unwrap();
             let functions: [Vanishing; 4] = [
                 |pair| pair.characteristic(1.0),
                 |pair| pair.characteristic(-1.0),
@@ -162,9 +162,9 @@ fn gradients_of_what_vanishes_at_bifurcations_agree_with_differences() {
             for function in functions {
                 let (_, gradient) = function(&pair);
                 let mut value = |k: usize, h: f64| {
-                    let mut moved = *point;
+                    let mut moved = point.clone();
                     moved[k] += h;
-                    function(&equations.pair::<1>(&moved, &mut times).unwrap()).0
+                    function(&equations.maps::<1>(&moved, &mut times).unwrap()).0
                 };
                 for k in 0..4 {
                     let central = |value: &mut dyn FnMut(usize, f64) -> f64, h: f64| {
@@ -192,12 +192,12 @@ fn folds_and_period_doublings_are_the_same_points() {
                     continue;
                 }
                 let other = equations.with_formulation(Formulation::FixedPhase);
-                let start = event.solution.unknowns + Unknowns::new(1e-5, -1e-5, 1e-6, 0.0);
+                let start = &event.solution.unknowns + Unknowns::new(1e-5, -1e-5, 1e-6, 0.0);
                 let conditions = [event.condition, Condition::Secondary(omega)];
                 let found = locate(&other, conditions, start, &mut EventTimes::default()).unwrap();
                 // Two regular systems with condition numbers of about a thousand at most, solved to
                 // rounding.
-                assert_within((found - event.solution.unknowns).norm(), 0.0, 1e-11);
+                assert_within((found - &event.solution.unknowns).norm(), 0.0, 1e-11);
                 compared += 1;
             }
         }

@@ -30,11 +30,12 @@ fn the_linear_oscillator_given_by_its_force_has_the_curves_of_the_closed_form() 
         let mut compare = |ours: &Curve, theirs: &Curve| {
             assert_eq!(ours.points.len(), theirs.points.len());
             for point in theirs.points.iter().step_by(5) {
-                let unknowns = point.solution.unknowns;
+                let unknowns = point.solution.unknowns.clone();
                 let conditions = [theirs.condition, Condition::ImpactVelocity(unknowns[0])];
                 let mut times = point.times.clone();
                 // At y = 0, and at folds in y, these conditions do not define a point.
-                let Ok(found) = locate(integrated.equations(), conditions, unknowns, &mut times) else {
+                let Ok(found) = locate(integrated.equations(), conditions, unknowns.clone(), &mut times)
+                else {
                     continue;
                 };
                 if unknowns[0] > 1e-3 {
@@ -82,14 +83,15 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
     // Half the second derivative of μ in y along the branch of fixed η through a saddle-node, by
     // differences.
     let curvature = |solution: &PeriodicSolution| {
-        let fold = solution.unknowns;
+        let fold = solution.unknowns.clone();
         let step = 1e-3 * fold[unknown::VELOCITY];
         let at = |velocity: f64| {
             let conditions =
                 [Condition::ImpactVelocity(velocity), Condition::Secondary(fold[unknown::SECONDARY])];
-            locate(resonance.equations(), conditions, fold, &mut EventTimes::default()).unwrap()
+            locate(resonance.equations(), conditions, fold.clone(), &mut EventTimes::default()).unwrap()
         };
-        let [behind, ahead] = [-step, step].map(|by| at(fold[unknown::VELOCITY] + by)[unknown::PRIMARY]);
+        let [behind, ahead] =
+            [-step, step].map(|by| at.clone()(fold[unknown::VELOCITY] + by)[unknown::PRIMARY]);
         (0.5 * (behind + ahead) - fold[unknown::PRIMARY]) / (step * step)
     };
     let [before, after] = [cusps[0].index - 1, cusps[0].index + 1]

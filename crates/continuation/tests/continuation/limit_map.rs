@@ -4,7 +4,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::criticality::period_doubling;
-use grazing_continuation::doubled::{Doubled, DoubledEquations};
+use grazing_continuation::doubled::DoubledEquations;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::LocatedResonance;
@@ -75,12 +75,13 @@ fn grazing_coefficient<O: ImpactOscillator>(resonance: &LocatedResonance<O>, siz
     let point = resonance.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
     let eta = size / (scale.velocity * map.period_doubling()[0]);
-    let guess = Doubled::near_resonance(resonance, eta, map.grazing_gap()).unwrap();
-    let (grazing, visit) = DoubledEquations::new(resonance.equations()).grazing(guess)?;
+    let equations = DoubledEquations::new(resonance.equations());
+    let guess = equations.near_resonance(resonance, eta, map.grazing_gap()).unwrap();
+    let (grazing, visit) = equations.grazing(guess)?;
     // For one loop the impact itself grazes.
     assert_eq!(visit, resonance.loops() - 1, "{size}");
     let place = resonance.near(eta, 0.0, map.fixed_point(0.0).0).unwrap();
-    Some((grazing.primary() - place[unknown::PRIMARY]) / (eta * eta))
+    Some((grazing[unknown::PRIMARY] - place[unknown::PRIMARY]) / (eta * eta))
 }
 
 /// Checks that the error of the grazing coefficient is of first order in η.
@@ -101,7 +102,7 @@ fn assert_doubled_orbits_are_as_stable_as_the_map_s<O: ImpactOscillator>(resonan
         let gap = part * map.grazing_gap();
         let trace = |size: f64| {
             let eta = size / (scale.velocity * map.period_doubling()[0]);
-            let guess = Doubled::near_resonance(resonance, eta, gap).unwrap();
+            let guess = equations.near_resonance(resonance, eta, gap).unwrap();
             Some(equations.multipliers(&equations.solved(guess)?)?.trace)
         };
         let expected = map.doubled_trace(gap);
@@ -161,8 +162,8 @@ fn two_impact_orbits_begin_stable_beyond_a_line() {
             let (map, scale) =
                 (resonance.resonant_point().limit_map(), resonance.resonant_point().limit_scale());
             let eta = 1e-3 / (scale.velocity * map.period_doubling()[0]);
-            let guess = Doubled::near_resonance(&resonance, eta, 0.3 * map.grazing_gap()).unwrap();
             let equations = DoubledEquations::new(resonance.equations());
+            let guess = equations.near_resonance(&resonance, eta, 0.3 * map.grazing_gap()).unwrap();
             let multipliers = equations.multipliers(&equations.solved(guess).unwrap()).unwrap();
             // One multiplier passes 1 where the other is below it.
             let stable = 1.0 - multipliers.trace + multipliers.determinant > 0.0;

@@ -5,7 +5,7 @@ use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::curve::SolutionCurve;
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::EventTimes;
+use grazing_continuation::mps::{EventTimes, Unknowns};
 use grazing_theorems::Resonance;
 
 use crate::specimens::{EPSILON, ZETA, assert_close, assert_within, located, resonances};
@@ -46,13 +46,13 @@ fn curves_leave_in_the_direction_of_the_theory() {
             let direction = located.direction(condition);
             let start = located.unknowns();
             // Started far from the theory's direction, but on its side.
-            let aside = direction + nalgebra::Vector4::new(0.3, -0.2, 0.1, 0.0) * direction[0].signum();
+            let aside = &direction + Unknowns::new(0.3, -0.2, 0.1, 0.0) * direction[0].signum();
             let walker =
                 Continuation::new(&curve, StepControl::DRAWING, start, aside, EventTimes::default()).unwrap();
-            let tangent = walker.here().tangent;
+            let tangent = walker.here().tangent.clone();
             // Quotients of second derivatives that are right to 10⁻¹², and the condition of the
             // bordered system.
-            assert_within((tangent * tangent.dot(&direction).signum() - direction).norm(), 0.0, 1e-10);
+            assert_within((&tangent * tangent.dot(&direction).signum() - direction).norm(), 0.0, 1e-10);
         }
     }
 }

@@ -16,6 +16,7 @@ mod limit_map;
 mod located_resonances;
 mod newton;
 mod one_parameter_branches;
+mod several_impacts;
 mod solution;
 mod specimens;
 mod two_parameter_curves;

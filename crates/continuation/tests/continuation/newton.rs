@@ -7,7 +7,7 @@ use nalgebra::{Matrix1, Matrix2, Vector1, Vector2};
 use crate::specimens::assert_within;
 
 /// The equations x² + y² = 4 and xy = 1.
-fn circle_and_hyperbola(u: &Vector2<f64>) -> Linearisation<2> {
+fn circle_and_hyperbola(u: &Vector2<f64>) -> Linearisation<Vector2<f64>> {
     let [x, y] = [u[0], u[1]];
     Linearisation {
         residual: Vector2::new(x * x + y * y - 4.0, x * y - 1.0),
@@ -16,7 +16,7 @@ fn circle_and_hyperbola(u: &Vector2<f64>) -> Linearisation<2> {
 }
 
 /// One equation f(x) = 0 with its derivative.
-fn scalar(value: f64, derivative: f64) -> Linearisation<1> {
+fn scalar(value: f64, derivative: f64) -> Linearisation<Vector1<f64>> {
     Linearisation { residual: Vector1::new(value), jacobian: Matrix1::new(derivative) }
 }
 

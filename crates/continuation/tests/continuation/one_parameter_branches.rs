@@ -45,9 +45,9 @@ fn branches_that_come_back_to_grazing_end_on_the_grazing_orbit() {
         let down = Unknowns::new(-1.0, 0.0, 0.0, 0.0);
         let back = SolutionCurve { equations, condition: Condition::Secondary(OMEGA) };
         let route = route([0.2, 0.4], [0.1, 2.0], false);
-        let curve = back.follow(solution.unknowns, down, times.clone(), &route).unwrap();
+        let curve = back.follow(solution.unknowns.clone(), down, times.clone(), &route).unwrap();
         assert!(matches!(curve.end, CurveEnd::Grazing), "{:?}", curve.end);
-        let end = curve.points.last().unwrap().solution.unknowns;
+        let end = curve.points.last().unwrap().solution.unknowns.clone();
         let (grazing, _) = at_grazing(ZETA, EPSILON, OMEGA);
         // Located by Newton's method, to rounding.
         assert!(end[0] == 0.0 && (end[2] - grazing.amplitude()).abs() < 1e-13);
@@ -108,7 +108,7 @@ fn branches_outlive_the_virtual_points() {
         let (equations, curve) = branch(parameters, loops, Formulation::FixedPhase, 1.0, &route);
         assert!(matches!(curve.end, CurveEnd::LeftWindow), "{:?}", curve.end);
         let (_, vivid) = branch(parameters, loops, Formulation::Vivid, 1.0, &route);
-        let last = |curve: &Curve| curve.points.last().unwrap().solution.unknowns;
+        let last = |curve: &Curve| curve.points.last().unwrap().solution.unknowns.clone();
         if matches!(vivid.end, CurveEnd::LeftWindow) {
             // Where the maximum on which a loop ends disappears, a corrector can also land on
             // another maximum of the same orbit and VIVID goes on: whether it ends depends on the
@@ -142,7 +142,7 @@ fn events_are_the_same_in_both_formulations() {
         for (a, b) in events[0].iter().zip(&events[1]) {
             assert_eq!(a.condition, b.condition);
             // Same tolerance as for the ends of the branches above.
-            assert_within((a.solution.unknowns - b.solution.unknowns).norm(), 0.0, 1e-11);
+            assert_within((&a.solution.unknowns - &b.solution.unknowns).norm(), 0.0, 1e-11);
         }
     }
 }
@@ -156,11 +156,11 @@ fn a_bifurcation_from_which_a_branch_is_followed_is_one_of_its_events() {
             let Condition::Multiplier(multiplier) = start.condition else { continue };
             let equations = equations.with_formulation(Formulation::FixedPhase);
             let curve = SolutionCurve { equations, condition: Condition::Secondary(OMEGA) };
-            let through = start.solution.unknowns;
+            let through = start.solution.unknowns.clone();
             let route = route([0.1, 0.7], [0.1, 2.0], false);
             let up = Unknowns::new(1.0, 0.0, 0.0, 0.0);
-            let both = curve.follow_both_ways(through, up, &start.times, &route).unwrap();
-            let met = both.events.iter().filter(|event| (event.solution.unknowns - through).norm() < 1e-9);
+            let both = curve.follow_both_ways(through.clone(), up, &start.times, &route).unwrap();
+            let met = both.events.iter().filter(|event| (&event.solution.unknowns - &through).norm() < 1e-9);
             let met: Vec<_> = met.collect();
             let [event] = met.as_slice() else { panic!("p = {loops}: {met:?}") };
             assert_eq!(event.condition, start.condition);

@@ -111,7 +111,7 @@ fn grazing_curve_starts_at_the_end_of_sn_and_arrives_at_the_end_of_pd() {
             {
                 // Two routes to one point, each located to rounding with a condition of the system
                 // below 10³.
-                assert_within((from_pd.solution.unknowns - from_gz.solution.unknowns).norm(), 0.0, 1e-11);
+                assert_within((&from_pd.solution.unknowns - &from_gz.solution.unknowns).norm(), 0.0, 1e-11);
             }
         }
     }
@@ -132,10 +132,11 @@ fn grazing_curve_from_the_end_of_pd_comes_back_to_the_end_of_sn() {
                 condition: Condition::InteriorGrazing,
             };
             let direction = Unknowns::new(side, 0.0, 0.0, 0.0);
-            let curve = curve.follow(pd.solution.unknowns, direction, pd.times.clone(), &window()).unwrap();
+            let curve =
+                curve.follow(pd.solution.unknowns.clone(), direction, pd.times.clone(), &window()).unwrap();
             codimension_two_end(&curve).is_some_and(|end| {
                 end.condition == Condition::SADDLE_NODE
-                    && (end.solution.unknowns - sn.solution.unknowns).norm() < 1e-11
+                    && (&end.solution.unknowns - &sn.solution.unknowns).norm() < 1e-11
             })
         });
         assert!(arrived, "{:?}", unfolded.name());
@@ -148,7 +149,7 @@ fn grazing_curve_from_the_end_of_pd_comes_back_to_the_end_of_sn() {
 fn curves_that_end_at_grazing_end_at_resonances() {
     for unfolded in unfolded() {
         for curve in unfolded.all().filter(|curve| matches!(curve.end, CurveEnd::Grazing)) {
-            let end = curve.points.last().unwrap().solution.unknowns;
+            let end = curve.points.last().unwrap().solution.unknowns.clone();
             let (grazing, _) = at_grazing(ZETA, EPSILON, end[3]);
             assert_eq!(end[0], 0.0);
             assert_within(end[2], grazing.amplitude(), 1e-12);

@@ -73,8 +73,7 @@ impl Passage {
             let (next, taken) = match &jet {
                 None => land_on_wall::<O, ORDER, AtRest>(oscillator, from.into(), *time)?,
                 Some(recoil) => {
-                    let flight =
-                        land_on_wall::<O, ORDER, OnWall>(oscillator, recoil.image().into(), *time)?;
+                    let flight = land_on_wall::<O, ORDER, OnWall>(oscillator, recoil.image().into(), *time)?;
                     (flight.0.after::<ORDER, _>(recoil), flight.1)
                 }
             };

@@ -96,7 +96,8 @@ pub(crate) fn motion(
     heights: &[f64],
 ) -> PeriodicMotion {
     let mut slice = Slice::new(secondary, Vec::new());
-    let add = |slice: &mut Slice, start: &Unknowns| slicer.add(slice, *start, &EventTimes::default(), true);
+    let add =
+        |slice: &mut Slice, start: &Unknowns| slicer.add(slice, start.clone(), &EventTimes::default(), true);
     let mut ran_away = None;
     for share in SHARES {
         if share == LAST_RESORT && !slice.branches.is_empty() {

@@ -59,7 +59,8 @@ impl Branch {
             landing.map_or(Vector2::repeat(f64::NAN), |landing| landing.jet.value)
         };
         let closed = |point: &Unknowns, mut times: EventTimes| {
-            let pair = vivid.pair::<1>(point, &mut times).ok()?;
+            let maps = vivid.maps::<1>(point, &mut times).ok()?;
+            let pair = maps.first();
             let elsewhere = pair.impact.value - landing(point);
             let misses = [pair.difference().0, elsewhere].map(|miss| miss.norm() <= CLOSED);
             (misses == [true; 2]).then_some(times)
@@ -179,7 +180,7 @@ impl Branch {
             }
             let conditions = [Condition::Secondary(secondary), Condition::Primary(primary)];
             let mut times = pair[0].times.clone();
-            let Ok(point) = locate(&self.equations, conditions, before.unknowns, &mut times) else {
+            let Ok(point) = locate(&self.equations, conditions, before.unknowns.clone(), &mut times) else {
                 continue;
             };
             let solution = self.equations.solution(&point);

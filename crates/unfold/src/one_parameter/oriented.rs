@@ -91,7 +91,7 @@ impl Scope {
 pub(super) fn exchanged(curves: &[DiagramCurve]) -> Vec<DiagramCurve> {
     let mut curves = curves.to_vec();
     for point in curves.iter_mut().flat_map(|curve| &mut curve.curve.points) {
-        point.solution.unknowns.swap_rows(unknown::PRIMARY, unknown::SECONDARY);
+        point.solution.unknowns.swap(unknown::PRIMARY, unknown::SECONDARY);
         // The carried state is unrelated to the roles of the parameters; it starts anew.
         point.times = EventTimes::default();
     }

@@ -112,10 +112,10 @@ impl Scene<'_> {
                     }
                     known.push(impact);
                 } else {
-                    if free.iter().any(|other| (other - point).norm() < BETWEEN_ORBITS) {
+                    if free.iter().any(|other| (other - &point).norm() < BETWEEN_ORBITS) {
                         continue;
                     }
-                    free.push(point);
+                    free.push(point.clone());
                 }
                 portraits.push(solution(
                     branch.equations.loops(),

@@ -110,7 +110,9 @@ where
         }
         self.know(middle, &functions);
         let [first, far] = [at, [i + size, k + size]].map(&self.place);
-        let cell = far - first;
+        let cell = far - &first;
+        let cell_at = [first, cell];
+        let [_, cell] = &cell_at;
         let steepest = VIOLENT * cell.amax();
         let mut bent = Vec::new();
         for index in functions {
@@ -130,14 +132,14 @@ where
                 }
                 continue;
             }
-            if (self.is_idle)(&[first, cell], &values) {
+            if (self.is_idle)(&cell_at, &values) {
                 continue;
             }
             let is_straight = both().all(|([least, greatest], bend)| bend <= STRAIGHT * (greatest - least));
             let violent = ranges[..2].iter().any(|[least, greatest]| greatest - least > steepest);
             if size == FINEST || is_straight || violent {
                 if ranges[..2].iter().all(|range| changes(*range, 0.0)) {
-                    self.found.push((index, [first, cell]));
+                    self.found.push((index, cell_at.clone()));
                 }
             } else if both().all(|(range, bend)| changes(range, bend)) {
                 bent.push(index);

@@ -54,7 +54,7 @@ impl Slicer {
                 };
                 let mut starts = closer.iter().filter_map(at);
                 let first = starts.next();
-                first.filter(unstable).or_else(|| starts.find(unstable)).or(first)
+                first.clone().filter(unstable).or_else(|| starts.find(unstable)).or(first)
             };
             if let Some(start) = start {
                 self.add(&mut slice, start, &EventTimes::default(), both);
@@ -80,15 +80,15 @@ impl Slicer {
 
     /// Adds the branch of solutions of twice the period that begins at one with the multiplier −1.
     fn beginning_beside(&self, slice: &mut Slice, halved: &LoopEquations, at: Unknowns) {
-        let pair = halved.pair::<1>(&at, &mut EventTimes::default());
+        let pair = halved.maps::<1>(&at, &mut EventTimes::default());
         let Some(direction) = pair.ok().and_then(|pair| pair.direction(-1.0)) else { return };
         let before = slice.branches.len();
         for distance in BESIDE_DOUBLING {
             if slice.branches.len() > before {
                 break;
             }
-            let mut near = at;
-            near.fixed_rows_mut::<2>(0).axpy(distance, &direction, 1.0);
+            let mut near = at.clone();
+            (0..2).for_each(|k| near[k] += distance * direction[k]);
             let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
             let conditions = [held, Condition::Secondary(slice.secondary)];
             let times = &mut EventTimes::default();
@@ -115,14 +115,14 @@ impl Slicer {
             let points = branch.before_abandoned();
             let every = (points.len() / CARRIED).max(1);
             for point in points.iter().skip(every / 2).step_by(every) {
-                let mut near = point.solution.unknowns;
+                let mut near = point.solution.unknowns.clone();
                 near[unknown::SECONDARY] = to.secondary;
                 let new = |equations: &LoopEquations| {
                     let mut times = point.times.clone();
                     let found = Purpose::Carrying.during(|| self.at(equations, near, &mut times));
                     found.filter(|start| !self.knows(to, start)).map(|start| (start, times))
                 };
-                let seen = rough.as_ref().is_none_or(|rough| new(rough).is_some());
+                let seen = rough.as_ref().is_none_or(|rough| new.clone()(rough).is_some());
                 if let Some((start, times)) = seen.then(|| new(&self.equations)).flatten() {
                     self.add(to, start, &times, true);
                 }
@@ -154,19 +154,20 @@ impl Slicer {
             if !known.is_empty() && known.iter().all(has) {
                 continue;
             }
-            let locate = || locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
+            let locate =
+                || locate_within(CARRIED_OFF, &self.equations, [condition, here], near.clone(), &mut times);
             let found = Purpose::Carrying.during(locate);
             if let Ok(through) = found
                 && self.is_real(&through)
                 && self.window.contains(parameters(&through))
             {
                 if known.is_empty() {
-                    self.add(slice, through, &times, true);
+                    self.add(slice, through.clone(), &times, true);
                 }
                 if condition == Condition::SymmetryBreaking
                     && let Some(halved) = self.equations.halved()
                 {
-                    self.beginning_beside(slice, &halved, through);
+                    self.beginning_beside(slice, &halved, through.clone());
                 }
                 for index in passing(slice) {
                     self.insert(&mut slice.branches[index], condition, &through, times.clone());
@@ -189,7 +190,7 @@ impl Slicer {
                 continue;
             }
             let conditions = [condition, Condition::Secondary(secondary)];
-            let reach = (chord[1] - chord[0]).norm();
+            let reach = (&chord[1] - &chord[0]).norm();
             let locate = || locate_within(reach, &self.equations, conditions, near, &mut times);
             let found = Purpose::Carrying.during(locate);
             if let Ok(through) = found
@@ -211,7 +212,7 @@ impl Slicer {
                 continue;
             }
             let before = slice.branches.len();
-            self.add(slice, solution, &EventTimes::default(), true);
+            self.add(slice, solution.clone(), &EventTimes::default(), true);
             let Some(new) = slice.branches.get(before) else { continue };
             let start = self.equations.solution(&solution);
             let stable = |point: &CurvePoint| point.solution.stable();
@@ -268,7 +269,7 @@ mod tests {
         let slicer = Slicer::new(equations, window, steps(window));
         let fast = crate::search::at(&oscillator, &[4], 5.0, &Silent);
         let high = fast.iter().filter(|(_, at)| slicer.equations.solution(at).ceiling() > 5.0);
-        let high: Vec<_> = high.map(|(_, at)| *at).collect();
+        let high: Vec<_> = high.map(|(_, at)| at.clone()).collect();
         assert!(!high.is_empty(), "{fast:?}");
         for through in high {
             let column = slicer.upwards(&through, &EventTimes::default()).expect("it is a curve");
@@ -296,12 +297,12 @@ mod tests {
             diagram.curves.iter().filter(|curve| curve.loops == 2).cloned().collect();
         let slicer = Slicer::new(diagram.equations(2), window, steps(window));
         let middle =
-            |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns;
+            |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns.clone();
         assert!(curves.len() > 2, "{}", curves.len());
         for crossing in curves.iter().map(middle) {
             let mut slice = Slice::new(crossing[unknown::SECONDARY], Vec::new());
             assert!(slicer.through_curves(&mut slice, &curves));
-            assert!(slice.branches.iter().any(|branch| slicer.passes(branch, &crossing)), "{crossing}");
+            assert!(slice.branches.iter().any(|branch| slicer.passes(branch, &crossing)), "{crossing:?}");
             // Curves are examined once.
             assert!(!slicer.through_curves(&mut slice, &curves));
         }
@@ -324,7 +325,7 @@ mod tests {
             slicer.through_curves(&mut slice, &curves);
             let places = |slice: &Slice| -> Vec<(Condition, usize, Unknowns)> {
                 let events = slice.branches.iter().flat_map(|branch| &branch.events);
-                events.map(|event| (event.condition, event.index, event.solution.unknowns)).collect()
+                events.map(|event| (event.condition, event.index, event.solution.unknowns.clone())).collect()
             };
             let known = places(&slice);
             let lies_on_a_curve = |event: &Event| {
@@ -364,7 +365,7 @@ mod tests {
         let branch = slice.branches.first().expect("it begins there");
         assert!(branch.points.len() > 5);
         for pair in branch.points.windows(2) {
-            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns.clone());
             let mut middle = (a + b) * 0.5;
             assert!(slicer.passes(branch, &middle));
             middle[unknown::PHASE] += core::f64::consts::PI;

@@ -37,7 +37,7 @@ pub(super) fn bounding(net: &Net, branch: &Curve, window: Window, doubled: bool)
 
 /// Whether a bifurcation on a slice or a column lies on a known curve.
 pub(super) fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Window) -> bool {
-    let here = event.solution.unknowns;
+    let here = event.solution.unknowns.clone();
     let secondary = here[unknown::SECONDARY];
     let distance = |point: &Unknowns| {
         let mut gap = net.equations.gap(&here, point);
@@ -47,20 +47,20 @@ pub(super) fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Win
     };
     net.curves.iter().filter(|curve| curve.kind == kind).any(|curve| {
         curve.curve.points.windows(2).any(|pair| {
-            let [a, b] = [pair[0].solution.unknowns, pair[1].solution.unknowns];
+            let [a, b] = [pair[0].solution.unknowns.clone(), pair[1].solution.unknowns.clone()];
             let [from, to] = [a[unknown::SECONDARY] - secondary, b[unknown::SECONDARY] - secondary];
             if from * to > 0.0 {
                 return false;
             }
             let way = if from == to { 0.0 } else { from / (from - to) };
-            let mut near = a + (b - a) * way;
+            let mut near = &a + (b - &a) * way;
             near[unknown::SECONDARY] = secondary;
             if distance(&near) > NEAR_CURVE {
                 return false;
             }
             let mut times = pair[0].times.clone();
             let conditions = [event.condition, Condition::Secondary(secondary)];
-            let found = locate(&net.equations, conditions, near, &mut times);
+            let found = locate(&net.equations, conditions, near.clone(), &mut times);
             found.is_ok_and(|found| distance(&found) < BETWEEN_BIFURCATIONS)
                 || distance(&near) < BETWEEN_BIFURCATIONS
         })
@@ -71,11 +71,11 @@ pub(super) fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Win
 pub(super) fn start(net: &mut Net, kind: Bifurcation, event: &Event, route: &Route<'_>) {
     let curve = SolutionCurve { equations: net.equations.clone(), condition: event.condition };
     // Across the slice, except where the curve runs along it.
-    let upwards = if net.equations.has_impacts() { Unknowns::w() } else { -Unknowns::w() };
-    let follow = |direction| {
-        curve.clone().follow_both_ways(event.solution.unknowns, direction, &event.times, route).ok()
-    };
-    if let Some(curve) = follow(upwards).or_else(|| follow(Unknowns::z()))
+    let here = &event.solution.unknowns;
+    let upwards = here.along(unknown::SECONDARY) * if net.equations.has_impacts() { 1.0 } else { -1.0 };
+    let follow =
+        |direction| curve.clone().follow_both_ways(here.clone(), direction, &event.times, route).ok();
+    if let Some(curve) = follow(upwards).or_else(|| follow(here.along(unknown::PRIMARY)))
         && (net.equations.has_impacts() || !stalls(&curve))
     {
         net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });

@@ -56,7 +56,7 @@ impl Survey<'_> {
     fn forgotten(&self) -> Vec<Vec<Point>> {
         let window = self.scope.window;
         let points = |curve: &DiagramCurve| {
-            let points = curve.curve.points.iter().map(|point| point.solution);
+            let points = curve.curve.points.iter().map(|point| point.solution.clone());
             points.map(|solution| (solution.parameters(), solution.impact_velocity())).collect::<Vec<_>>()
         };
         let curves: Vec<_> = self.net.curves.iter().map(points).collect();

@@ -54,12 +54,13 @@ fn grazing_goes_on_with_another_maximum_where_a_second_one_touches_the_wall() {
     // Each curve holds its own maximum at the wall up to the corner.
     let equations = LoopEquations::new(oscillator.clone(), 2, Formulation::FixedPhase);
     for (end, beside) in [reached, begun].into_iter().zip(points) {
-        let near = (end.solution.unknowns + beside.solution.unknowns) * 0.5;
+        let near = (&end.solution.unknowns + &beside.solution.unknowns) * 0.5;
         let conditions = [Condition::InteriorGrazing, Condition::Secondary(near[unknown::SECONDARY])];
         let found = [end, beside].map(|point| {
-            locate(&equations, conditions, near, &mut point.times.clone()).expect("a point of the curve")
+            locate(&equations, conditions, near.clone(), &mut point.times.clone())
+                .expect("a point of the curve")
         });
-        assert!((found[0] - found[1]).norm() < 1e-9, "{found:?}");
+        assert!((&found[0] - &found[1]).norm() < 1e-9, "{found:?}");
     }
     for time in times {
         // Located to the tolerance of Newton's method.

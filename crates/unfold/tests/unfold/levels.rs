@@ -41,7 +41,7 @@ fn solutions<'a>(
     diagram: &'a Diagram,
     curves: &'a [LevelCurve],
 ) -> impl Iterator<Item = (AnyOscillator, PeriodicSolution)> + 'a {
-    let points = curves.iter().flat_map(|found| &found.curve.points).map(|point| point.solution);
+    let points = curves.iter().flat_map(|found| &found.curve.points).map(|point| point.solution.clone());
     points.map(|solution| (diagram.equations(1).oscillator_at(&solution.unknowns), solution))
 }
 
@@ -130,7 +130,7 @@ fn along_curves_of_a_modulus_simulated_perturbations_decay_by_it() {
     let diagram = diagram(&oscillator(), &scope(&[1]), Property::Modulus(modulus));
     let mut pieces = [0, 0];
     for LevelCurve { curve, .. } in &diagram.levels.curves {
-        let middle = curve.points[curve.points.len() / 2].solution;
+        let middle = curve.points[curve.points.len() / 2].solution.clone();
         if !middle.admissible() || middle.impact_velocity() < 0.05 {
             continue;
         }
@@ -158,14 +158,15 @@ fn pieces_of_a_modulus_meet_where_both_multipliers_are_equal() {
         let ends = [(points.first(), beginning.as_ref()), (points.last(), Some(end))];
         ends.into_iter().filter(|(_, end)| matches!(end, Some(CurveEnd::Event(_))))
     });
-    let corners: Vec<PeriodicSolution> = ends.filter_map(|(point, _)| Some(point?.solution)).collect();
+    let corners: Vec<PeriodicSolution> =
+        ends.filter_map(|(point, _)| Some(point?.solution.clone())).collect();
     assert!(!corners.is_empty());
     for corner in &corners {
         let multipliers = corner.multipliers;
         // A double zero of the characteristic polynomial.
         let gap = multipliers.trace * multipliers.trace - 4.0 * multipliers.determinant;
         assert!(gap.abs() < 1e-6, "{multipliers:?}");
-        let here = corners.iter().filter(|other| (other.unknowns - corner.unknowns).norm() < 1e-6);
+        let here = corners.iter().filter(|other| (&other.unknowns - &corner.unknowns).norm() < 1e-6);
         assert_eq!(here.count(), 2, "{corner:?}");
     }
 }

@@ -83,7 +83,8 @@ fn assert_same(integrated: &Unknowns, closed: &Unknowns) {
 
 /// The conditions that hold y, μ or η, first the one that changes most along the curve at a point.
 fn held(before: &Unknowns, here: &Unknowns, after: &Unknowns) -> [Condition; 3] {
-    let change = (after - before).abs();
+    let gap = after - before;
+    let change = [0, 1, 2, 3].map(|index: usize| gap[index].abs());
     let mut held = [
         (change[unknown::VELOCITY], Condition::ImpactVelocity(here[unknown::VELOCITY])),
         (change[unknown::PRIMARY], Condition::Primary(here[unknown::PRIMARY])),
@@ -99,10 +100,10 @@ fn held(before: &Unknowns, here: &Unknowns, after: &Unknowns) -> [Condition; 3] 
 /// Integrated motion is followed without virtual points all the way.
 fn assert_on_closed_form(curve: &Curve, loops: u32) -> usize {
     let equations = LoopEquations::new(closed_form(), loops, Formulation::FixedPhase);
-    let unknowns: Vec<_> = curve.points.iter().map(|point| point.solution.unknowns).collect();
+    let unknowns: Vec<_> = curve.points.iter().map(|point| point.solution.unknowns.clone()).collect();
     let mut compared = 0;
     for (index, point) in curve.points.iter().enumerate() {
-        let here = unknowns[index];
+        let here = unknowns[index].clone();
         // At y = 0 the curve of interior grazing is singular; resonances and ends are compared as
         // points.
         if here[unknown::VELOCITY] == 0.0 {
@@ -111,7 +112,7 @@ fn assert_on_closed_form(curve: &Curve, loops: u32) -> usize {
         let after = &unknowns[(index + 1).min(unknowns.len() - 1)];
         let [most, ..] = held(&unknowns[index.max(1) - 1], &here, after);
         let mut times = point.times.clone();
-        let found = locate(&equations, [curve.condition, most], here, &mut times)
+        let found = locate(&equations, [curve.condition, most], here.clone(), &mut times)
             .unwrap_or_else(|failure| panic!("{:?} at {here:?}: {failure}", curve.condition));
         assert_same(&here, &found);
         compared += 1;
@@ -174,7 +175,7 @@ fn curves_of_figure_7_lie_on_those_of_the_closed_form() {
     for (ours, theirs) in integrated.curves.iter().zip(&closed.curves) {
         assert_eq!(std::mem::discriminant(&ours.curve.end), std::mem::discriminant(&theirs.curve.end));
         assert!(!matches!(ours.curve.end, CurveEnd::Stalled(_) | CurveEnd::StepLimit));
-        let [a, b] = [&ours.curve, &theirs.curve].map(|curve| curve.points.last().unwrap().solution);
+        let [a, b] = [&ours.curve, &theirs.curve].map(|curve| curve.points.last().unwrap().solution.clone());
         assert_same(&a.unknowns, &b.unknowns);
     }
 }
@@ -231,7 +232,7 @@ fn assert_near(polyline: &Polyline, condition: Condition, known: &[&Curve], loop
             .flat_map(|curve| &curve.points)
             .min_by(|a, b| gap(&a.solution.unknowns).total_cmp(&gap(&b.solution.unknowns)))
             .unwrap();
-        let start = nearest.solution.unknowns;
+        let start = nearest.solution.unknowns.clone();
         // The steps of both are the same up to rounding, mostly.
         if gap(&start) < AGREEMENT {
             compared += 1;
@@ -331,7 +332,8 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
         let curve = SolutionCurve { equations, condition: Condition::Secondary(frequency) };
         curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route).unwrap()
     };
-    let branches: Vec<_> = loops(figure).into_par_iter().map(|loops| (loops, follow(loops))).collect();
+    let branches: Vec<_> =
+        loops(figure).into_par_iter().map(|loops| (loops, follow.clone()(loops))).collect();
     let mut bifurcations = vec![("graz".to_owned(), 0, grazing.amplitude(), 0.0)];
     for (loops, curve) in &branches {
         // All points but the start.
@@ -351,7 +353,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
         }
         for event in curve.events.iter().filter(|event| event.solution.admissible()) {
             let Some(kind) = Bifurcation::of(event.condition, *loops) else { continue };
-            let unknowns = event.solution.unknowns;
+            let unknowns = event.solution.unknowns.clone();
             bifurcations.push((
                 kind.name().to_owned(),
                 *loops,

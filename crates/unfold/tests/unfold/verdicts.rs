@@ -116,11 +116,11 @@ fn motion_goes_elsewhere_beyond_a_saddle_node_and_beside_an_unstable_solution_al
         locate(equations, conditions, near, &mut EventTimes::default()).expect("there is a solution")
     };
     let direction = point.direction(saddle_node);
-    let near = point.unknowns() + direction * (sides.velocity / direction[unknown::VELOCITY]);
+    let near = point.unknowns() + &direction * (sides.velocity / direction[unknown::VELOCITY]);
     let fold = find([saddle_node, Condition::ImpactVelocity(sides.velocity)], near);
     assert_ne!(sides.predicted[0], sides.predicted[1]);
     for (share, stable) in [0.7, 1.3].into_iter().zip(sides.predicted) {
-        let mut near = fold;
+        let mut near = fold.clone();
         near[unknown::VELOCITY] *= share;
         let velocity = Condition::ImpactVelocity(near[unknown::VELOCITY]);
         let solution = find([Condition::Secondary(fold[unknown::SECONDARY]), velocity], near);

@@ -90,11 +90,11 @@ checks! {
             let expected = zero(&grazing, p, mu).ok_or("no zero of V")?;
             let reach = 5.0 * (expected[0].abs() + (expected[1] - grazing.phase()).abs());
             for _ in 0..6 {
-                let mut start = expected;
+                let mut start = expected.clone();
                 start[0] += sampler.between(-reach, reach);
                 start[1] += sampler.between(-reach, reach);
                 let found = at_parameters(&equations, start);
-                votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
+                votes.see(found.is_some_and(|found| (found - &expected).amax() < 1e-10));
             }
             votes.see(vivid(&equations, &expected).is_some_and(|value| value.amax() < 1e-13));
         }

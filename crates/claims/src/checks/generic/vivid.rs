@@ -27,7 +27,8 @@ fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, Failure> {
 /// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
 pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisation, MapError> {
     let point = unknowns(grazing, [0.0; 3]);
-    let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut EventTimes::default())?.difference();
+    let (_, derivative) =
+        equations(grazing, p).maps::<1>(&point, &mut EventTimes::default())?.first().difference();
     Ok(VividLinearisation {
         by_impact: derivative.fixed_columns::<2>(0).into_owned(),
         by_parameter: derivative.column(2).into_owned(),
@@ -127,7 +128,7 @@ checks! {
     zeros_are_orbits: over(admissible()?) |(grazing, p, point); (votes, printed): (Votes, Votes)| {
         let equations = equations(&grazing, p);
         let comes_back = |at: &Unknowns| followed(&equations, at) == ReturnOutcome::Returns;
-        let mut beside = point;
+        let mut beside = point.clone();
         beside[0] *= 1.01;
         let found = comes_back(&point);
         votes.see(point[0] > 0.0 && found);
@@ -156,8 +157,8 @@ checks! {
         let equations = equations(&grazing, p);
         let second = |y: f64| {
             let point = unknowns(&grazing, [y, 0.0, 0.0]);
-            let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
-            Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
+            let maps = equations.maps::<2>(&point, &mut EventTimes::default()).ok()?;
+            Some([0, 1].map(|i| maps.first().round_trip.hessians[i] - maps.first().impact.hessians[i]))
         };
         orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
             let i = component as usize;

@@ -91,7 +91,7 @@ fn border<'a>(diagram: &'a Diagram, region: &Region) -> Vec<(&'a DiagramCurve, V
         let points = &curve.curve.points;
         let inner = points[1..points.len() - 1].iter().map(|point| &point.solution);
         let shared = inner.filter(|solution| is_vertex(diagram, region, solution.parameters()));
-        (curve, shared.map(|solution| solution.unknowns).collect::<Vec<_>>())
+        (curve, shared.map(|solution| solution.unknowns.clone()).collect::<Vec<_>>())
     });
     shared.filter(|(_, points)| !points.is_empty()).collect()
 }
@@ -103,7 +103,7 @@ fn crossed(
     (curve, points): &(&DiagramCurve, Vec<Unknowns>),
     cases: &mut Votes,
 ) -> Result<(), Failure> {
-    let middle = points[points.len() / 2];
+    let middle = points[points.len() / 2].clone();
     let equations = diagram.equations(curve.loops);
     let beside = |factor: f64| {
         let point = at_velocity(&equations, &middle, factor * middle[unknown::VELOCITY])?;

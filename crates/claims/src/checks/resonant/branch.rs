@@ -112,8 +112,8 @@ fn vivid_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
         found.extend(together([(MAP, 3.0), (MAP, 2.0)], |size| {
             let (y, eta) = (y * size, eta * size);
             let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
-            let pair = place.pair(&near).ok()?;
-            let v = pair.difference().0;
+            let maps = place.maps(&near).ok()?;
+            let v = maps.first().difference().0;
             Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
         }));
     }
@@ -135,7 +135,7 @@ fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let along = |[y, eta]: [f64; 2]| {
         together([(rounding, 2.0); 2], |size| {
             let (y, eta) = (y * size, eta * size);
-            let [plus, minus] = psi(&place.pair(&place.on_branch(y, eta)?).ok()?.multipliers());
+            let [plus, minus] = psi(&place.maps(&place.on_branch(y, eta)?).ok()?.multipliers());
             Some(
                 [plus * y - stability.plus * y, minus * y - stability.minus * y]
                     .map(|gap| gap + by_eta * eta),
@@ -151,15 +151,15 @@ checks! {
     multiplier_conditions: everywhere(ANY) |place; largest: Deviations| {
         for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
-            let pair = place.pair(&near)?;
-            let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
-            let u = pair.round_trip.derivative() * inverse;
-            let [plus, minus] = psi(&pair.multipliers());
+            let maps = place.maps(&near)?;
+            let inverse = maps.first().impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
+            let u = maps.first().round_trip.derivative() * inverse;
+            let [plus, minus] = psi(&maps.multipliers());
             let one = Matrix2::identity();
             let size = 1.0 + u.amax() * u.amax();
             // The functions that continuation uses for curves: det(U ∓ I) det D P_virt, smooth through y
             // = 0.
-            let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
+            let scaled = |multiplier: f64| maps.characteristic(multiplier).0 * inverse.determinant();
             for (at_one, at_minus_one) in
                 [(scaled(1.0), scaled(-1.0)), ((u - one).determinant(), (u + one).determinant())]
             {
@@ -172,8 +172,8 @@ checks! {
     // Sums of products, with several tens of roundings.
     jacobians: everywhere(ANY) |place; largest: Deviations| {
         let start = place.resonance.unknowns();
-        let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
-        let derivative = pair.difference().1;
+        let maps = place.resonance.equations().maps::<1>(&start, &mut EventTimes::default())?;
+        let derivative = maps.first().difference().1;
         let determinant = |first: usize| {
             Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
         };

@@ -8,7 +8,7 @@ use grazing_continuation::bifurcation::Bifurcation as Kind;
 use grazing_continuation::cascade::Cascade;
 use grazing_continuation::criticality::{changes, period_doubling};
 use grazing_continuation::curve::Curve;
-use grazing_continuation::doubled::{Doubled, DoubledEquations};
+use grazing_continuation::doubled::DoubledEquations;
 use grazing_theorems::LimitMap;
 use grazing_unfold::resonances::Resonance as FoundResonance;
 
@@ -18,14 +18,14 @@ fn flips(curve: &Curve, count: usize) -> Result<Vec<Unknowns>, Failure> {
     let points: Vec<&PeriodicSolution> =
         solutions.filter(|solution| solution.impact_velocity() > 1e-4 && solution.admissible()).collect();
     let last = points.len().checked_sub(1).ok_or("the PD curve has no points")?;
-    Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
+    Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns.clone()).collect())
 }
 
 /// The period-doubled MPS near a PD point, and whether it has a multiplier above 1.
 fn doubled<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     flip: &Unknowns,
-) -> Result<(bool, Doubled), Failure> {
+) -> Result<(bool, Unknowns), Failure> {
     let equations = DoubledEquations::new(equations);
     let beside = 0.1 * flip[unknown::VELOCITY];
     let doubled = equations.near(flip, beside).ok_or("no period-doubled MPS beside a PD point")?;
@@ -36,10 +36,11 @@ fn doubled<O: ImpactOscillator>(
 }
 
 /// Whether the simulated orbit that starts beside the MPS ends on the period-doubled one.
-fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
-    let [first, second] = doubled.impacts();
-    let oscillator = place.resonance.equations().oscillator_at(&first);
-    let [first, second] = [first, second].map(|impact| impact.fixed_rows::<2>(0).into_owned());
+fn settles(place: &ResonantSpecimen, doubled: &Unknowns) -> bool {
+    let equations = place.resonance.equations();
+    let oscillator = equations.oscillator_at(doubled);
+    let [first, second] =
+        DoubledEquations::new(equations).impacts(doubled).map(|impact| Vector2::new(impact[0], impact[1]));
     // Displaced from the middle of the two impacts, where the MPS is, by a hundredth of their distance.
     let mut here = (first + second) * 0.5 + (first - second) * 0.01;
     for _ in 0..2000 {
@@ -126,15 +127,15 @@ checks! {
         // Located amplitudes and velocities lose digits in proportion to 1/y.
         Ok(together([(1e-14, 3.0), (1e-14, 3.0)], |size| {
             let eta = size / (scale.velocity * velocity);
-            let guess = Doubled::near_resonance(&place.resonance, eta, gap).ok()?;
+            let guess = equations.near_resonance(&place.resonance, eta, gap).ok()?;
             let (grazing, visit) = equations.grazing(guess)?;
             // The last visit before an impact; for one loop, the impact itself.
             if visit != place.loops() - 1 {
                 return None;
             }
             Some([
-                grazing.primary() - place.grazing(eta)?.primary() - point.doubled_grazing_coefficient() * eta * eta,
-                size * (grazing.impacts()[0][unknown::VELOCITY] - scale.velocity * eta * fastest.velocity),
+                grazing[unknown::PRIMARY] - place.grazing(eta)?.primary() - point.doubled_grazing_coefficient() * eta * eta,
+                size * (grazing[unknown::VELOCITY] - scale.velocity * eta * fastest.velocity),
             ])
         }))
     });
@@ -158,7 +159,7 @@ checks! {
             found.extend(together([(1e-14, 3.0)], |size| {
                 let eta = size / (scale.velocity * velocity);
                 let flip = equations.flip(&place.resonance, eta)?;
-                Some([flip.primary() - place.grazing(eta)?.primary() - scale.parameter * onset * eta * eta])
+                Some([flip[unknown::PRIMARY] - place.grazing(eta)?.primary() - scale.parameter * onset * eta * eta])
             }));
         }
         if !as_stated {

@@ -85,7 +85,7 @@ fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>,
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
-        let pair = place.pair(&near).ok()?;
+        let maps = place.maps(&near).ok()?;
         let [y, _, mu, eta] = *offset;
         let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let alpha_omega = symbols.alpha * symbols.omega;
@@ -93,7 +93,10 @@ fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>,
         let x = symbols.power.m11 * symbols.phi * symbols.phi * y
             - alpha_omega * (symbols.xi * phase + symbols.e * mu + f * eta);
         let leading = Matrix2::new(x, 0.0, -alpha_omega * symbols.power.m22, symbols.power.m22 * y);
-        Some(pair.round_trip.derivative() * pair.impact.derivative().try_inverse()? * y - leading)
+        Some(
+            maps.first().round_trip.derivative() * maps.first().impact.derivative().try_inverse()? * y
+                - leading,
+        )
     }))
 }
 

@@ -26,7 +26,7 @@ fn trace_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, F
         let observed = order(|size| {
             let mut offset = scaled(direction, size);
             let near = place.near(offset)?;
-            let found = offset[0] * place.pair(&near).ok()?.multipliers().trace;
+            let found = offset[0] * place.maps(&near).ok()?.multipliers().trace;
             [offset[1], _] = cure.phase_and_slope(place, &near, symbols.f);
             Some((found - symbols.trace(offset), symbols.rounding()))
         });
@@ -42,7 +42,7 @@ fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure
     let one = |direction: &Offset| {
         let observed = order(|size| {
             let offset = scaled(direction, size);
-            let found = offset[0] * place.pair(&place.near(offset)?).ok()?.multipliers().determinant;
+            let found = offset[0] * place.maps(&place.near(offset)?).ok()?.multipliers().determinant;
             Some((found - slope * offset[0], ROUNDING))
         });
         (observed, 2.0)
@@ -57,7 +57,7 @@ fn seam_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let part = |pick: fn(Multipliers) -> f64| {
         seam(rounding, |y| {
             let near = place.near([y, 0.002, -0.001, 0.003])?;
-            Some(y * pick(place.pair(&near).ok()?.multipliers()))
+            Some(y * pick(place.maps(&near).ok()?.multipliers()))
         })
     };
     Ok(vec![part(|both| both.trace), part(|both| both.determinant)])
@@ -82,7 +82,7 @@ fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure>
         // A limit of zero would not be a divergence.
         let observed = order(|size| {
             let near = place.near([size, 0.0, 0.0, eta])?;
-            Some((size * place.pair(&near).ok()?.multipliers().trace - limit, ROUNDING * (1.0 + limit.abs())))
+            Some((size * place.maps(&near).ok()?.multipliers().trace - limit, ROUNDING * (1.0 + limit.abs())))
         });
         (if limit.abs() < 1e-6 { f64::NAN } else { observed }, 1.0)
     };
@@ -108,13 +108,13 @@ checks! {
         for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
             let oscillator = near.oscillator();
-            let pair = place.pair(&near)?;
-            let virtual_point = pair.impact.value;
+            let maps = place.maps(&near)?;
+            let virtual_point = maps.first().impact.value;
             let disc =
                 discontinuity_map::<_, 1>(&oscillator, AtRest::new(virtual_point[0], virtual_point[1]))?;
             let around = global_iterate::<_, 1>(&oscillator, place.loops(), disc.image())?;
             let u = around.derivative() * disc.derivative();
-            let both = pair.multipliers();
+            let both = maps.multipliers();
             largest.compare(u.trace(), both.trace, 1.0 + both.trace.abs());
             largest.compare(u.determinant(), both.determinant, 1.0 + both.trace.abs());
         }

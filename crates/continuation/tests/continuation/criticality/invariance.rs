@@ -20,7 +20,7 @@ fn another_unit_of_length_changes_coefficients_as_it_must() {
         let other = Integrated::new(Spring { length, ..Spring::DUFFING }, [place[1], place[2]]);
         let other = LoopEquations::new(other, loops, Formulation::FixedPhase);
         let moved = |point: &Unknowns| {
-            let mut point = *point;
+            let mut point = point.clone();
             point[unknown::VELOCITY] /= length;
             point
         };
@@ -61,7 +61,7 @@ fn points_that_are_no_simple_bifurcation_have_no_normal_form() {
     assert_eq!(period_doubling(equations, &resonance.unknowns()), Err(CriticalityError::Grazing));
 
     let flip = at_velocity(&resonance, Condition::PERIOD_DOUBLING, 0.1);
-    let off = flip + Unknowns::new(0.0, 0.01, 0.0, 0.0);
+    let off = &flip + Unknowns::new(0.0, 0.01, 0.0, 0.0);
     let Err(CriticalityError::NotPeriodic { distance }) = period_doubling(equations, &off) else {
         panic!("a point that is no MPS has a normal form");
     };

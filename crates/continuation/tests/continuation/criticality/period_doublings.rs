@@ -69,7 +69,7 @@ fn doubled_orbits_are_stable_to_one_side_of_a_change_of_criticality() {
                     Condition::PERIOD_DOUBLING,
                     Condition::Secondary(change.unknowns[unknown::SECONDARY] + offset),
                 ];
-                let start = change.unknowns + Unknowns::new(0.0, 0.0, 0.0, offset);
+                let start = &change.unknowns + Unknowns::new(0.0, 0.0, 0.0, offset);
                 let flip = locate(&equations, conditions, start, &mut EventTimes::default()).unwrap();
                 let orbit = doubled.near(&flip, 0.01 * flip[unknown::VELOCITY]).unwrap();
                 let multipliers = doubled.multipliers(&orbit).unwrap();
@@ -78,7 +78,7 @@ fn doubled_orbits_are_stable_to_one_side_of_a_change_of_criticality() {
                 stable
             };
             let way = change.unknowns[unknown::SECONDARY] - resonance.unknowns()[unknown::SECONDARY];
-            assert_ne!(beside(0.02 * way), beside(-0.02 * way));
+            assert_ne!(beside(0.02 * way).clone(), beside(-0.02 * way));
         }
     }
     // One curve joins the resonances n = 2 and n = 3 of one loop.

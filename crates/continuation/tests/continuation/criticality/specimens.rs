@@ -22,9 +22,9 @@ pub(super) fn curves<O: ImpactOscillator>(resonance: &ResonantGrazingPoint<O>) -
 
 /// Points of a curve away from y = 0, evenly spread over its length.
 pub(super) fn spread(curve: &Curve, count: usize) -> Vec<Unknowns> {
-    let all: Vec<Unknowns> = curve.points.iter().map(|point| point.solution.unknowns).collect();
+    let all: Vec<Unknowns> = curve.points.iter().map(|point| point.solution.unknowns.clone()).collect();
     let away: Vec<Unknowns> = all.into_iter().filter(|point| point[unknown::VELOCITY] > 3e-2).collect();
-    (0..count).map(|k| away[k * (away.len() - 1) / (count - 1)]).collect()
+    (0..count).map(|k| away[k * (away.len() - 1) / (count - 1)].clone()).collect()
 }
 
 /// The point of a resonance's curve with the impact velocity y.
@@ -34,7 +34,7 @@ pub(super) fn at_velocity<O: ImpactOscillator>(
     y: f64,
 ) -> Unknowns {
     let direction = resonance.direction(condition);
-    let start = resonance.unknowns() + direction * (y / direction[0]);
+    let start = resonance.unknowns() + &direction * (y / direction[0]);
     let equations = resonance.equations().with_formulation(Formulation::FixedPhase);
     let conditions = [condition, Condition::ImpactVelocity(y)];
     locate(&equations, conditions, start, &mut EventTimes::default()).unwrap()

@@ -85,7 +85,7 @@ fn branch(omega: f64, n: u32) -> Curve {
 /// The first bifurcation of a kind on a branch, as (impact velocity, clearance).
 fn bifurcation(curve: &Curve, condition: Condition) -> [f64; 2] {
     let event = curve.events.iter().find(|event| event.condition == condition).expect("the bifurcation");
-    let found = event.solution.unknowns;
+    let found = event.solution.unknowns.clone();
     [found[unknown::VELOCITY], found[unknown::PRIMARY]]
 }
 

@@ -30,7 +30,7 @@ fn printed_orbits_have_the_printed_amplitudes_phases_and_multipliers() {
         let (equations, start) = printed(row);
         let [velocity, secondary] = [&row.impact_velocity, &row.secondary].map(|text| number(text));
         let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
-        let found = locate(&equations, conditions, start, &mut EventTimes::default())
+        let found = locate(&equations, conditions, start.clone(), &mut EventTimes::default())
             .unwrap_or_else(|failure| panic!("{}: {failure}", row.id));
         // The residual that the authors allow, 1e-10, magnified by the inverse of their derivative.
         assert_within(found[unknown::PRIMARY], number(&row.primary), 1e-10);

@@ -43,7 +43,7 @@ fn side_of_curve(
     let mut seen = Vec::new();
     for velocity in [VELOCITY, -VELOCITY] {
         let conditions = [Condition::Multiplier(multiplier), Condition::ImpactVelocity(velocity)];
-        let start = origin + tangent * velocity;
+        let start = &origin + &tangent * velocity;
         let zero = located(&equations, conditions, start).ok_or("no point of a curve")?;
         let mut beside = [None; 2];
         for (beside, share) in beside.iter_mut().zip([0.7, 1.3]) {

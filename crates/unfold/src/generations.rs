@@ -1,0 +1,87 @@
+//! Resonances on the curves at which motion that already hits the wall grazes, and what leaves them.
+//!
+//! Impacts elsewhere do not affect the smoothness of P_global (section 6 of the paper), so that a
+//! curve along which solutions with K impacts touch the wall is a curve of grazing bifurcations, and
+//! the theorems hold at the zeros of a₁₂ and κ_q along it. From each, solutions with one impact more than q
+//! rounds of the grazing motion leave.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::curve::Curve;
+use grazing_continuation::resonance::ResonanceError;
+use grazing_model::smooth::Purpose;
+use rayon::prelude::*;
+
+use crate::Scope;
+use crate::curves::DiagramCurve;
+use crate::diagram::{Diagram, drawn};
+use crate::grazing::GrazingCurve;
+use crate::progress::Progress;
+use crate::resonances::{Resonance, distinct, on_curve};
+
+/// A resonance of motion with impacts, and the curves that leave it.
+#[derive(Clone, Debug)]
+pub struct LaterResonance {
+    /// The index of the curve of grazing bifurcations among the diagram's curves.
+    pub base: usize,
+    /// The resonance; its number of loops is that of rounds of the grazing motion.
+    pub resonance: Resonance,
+    /// The SN, PD and GZ curves that were followed from it, where a theorem holds.
+    pub curves: Vec<Curve>,
+    /// The reasons why others are missing.
+    pub missing: Vec<ResonanceError>,
+}
+
+impl LaterResonance {
+    /// The number of impacts of the solutions that leave.
+    pub fn impacts(&self) -> usize {
+        self.resonance.located.unknowns().impacts()
+    }
+
+    /// The number of forcing periods after which they recur.
+    pub fn periods(&self) -> u32 {
+        self.resonance.located.equations().loops()
+    }
+}
+
+/// The stage in which these resonances are looked for.
+const STAGE: &str = "resonances of motion with impacts";
+
+/// The resonances of the scope's numbers of loops on all curves of a diagram at which solutions with impacts
+/// graze, by curve and by q, with the curves that leave them.
+pub fn later(diagram: &Diagram, scope: &Scope, progress: &dyn Progress) -> Vec<LaterResonance> {
+    let bases: Vec<(usize, &DiagramCurve)> =
+        diagram.curves.iter().enumerate().filter(|(_, curve)| curve.kind == Bifurcation::Grazing).collect();
+    progress.begin(STAGE, bases.len() as u64);
+    let found: Vec<Vec<LaterResonance>> = bases
+        .into_par_iter()
+        .map(|(base, curve)| {
+            let found = Purpose::Curves.during(|| on_base(diagram, base, curve, scope, progress));
+            progress.step(STAGE);
+            found
+        })
+        .collect();
+    progress.end(STAGE);
+    found.into_iter().flatten().collect()
+}
+
+fn on_base(
+    diagram: &Diagram,
+    base: usize,
+    curve: &DiagramCurve,
+    scope: &Scope,
+    progress: &dyn Progress,
+) -> Vec<LaterResonance> {
+    let grazing = GrazingCurve::of_impacting(&diagram.equations(curve.loops), &curve.curve, scope);
+    let (found, _) = on_curve(&grazing, scope, progress);
+    let route = drawn(scope.window);
+    let unfold = |resonance: Resonance| {
+        let unfolded = resonance.theorem.as_ref().ok().map(|point| point.unfold(&route));
+        let (curves, missing) = match unfolded {
+            Some(Ok(unfolded)) => (unfolded.curves().cloned().collect(), unfolded.missing),
+            Some(Err(reason)) => (Vec::new(), vec![reason]),
+            None => (Vec::new(), Vec::new()),
+        };
+        LaterResonance { base, resonance, curves, missing }
+    };
+    distinct(found, scope.window).into_iter().map(unfold).collect()
+}
