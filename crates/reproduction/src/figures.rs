@@ -4,6 +4,7 @@
 pub mod beyond_atlas;
 pub mod beyond_attractors;
 pub mod beyond_cascade;
+pub mod beyond_generations;
 pub mod beyond_loops;
 pub mod beyond_proofs;
 pub mod beyond_regions;
@@ -48,6 +49,7 @@ macro_rules! paper_figures {
             $make::<$crate::figures::beyond_regions::BeyondRegions>(),
             $make::<$crate::figures::beyond_attractors::BeyondAttractors>(),
             $make::<$crate::figures::beyond_proofs::BeyondProofs>(),
+            $make::<$crate::figures::beyond_generations::BeyondGenerations>(),
             $($($last,)+)?
         ]
     };

@@ -79,7 +79,7 @@ const LOOPS: [&str; 6] =
 /// Control characters, marks that change the direction of writing, and other scripts.
 const CHARACTERS: [&str; 12] =
     ["\0", "\u{1b}[2J", "\u{7f}", "\r", "\u{feff}", "\u{202e}", "\u{2066}", "ω", "−", "´", "\"", "#"];
-const OUTPUTS: [&str; 19] = [
+const OUTPUTS: [&str; 20] = [
     "coefficients",
     "fig01",
     "fig02",
@@ -97,6 +97,7 @@ const OUTPUTS: [&str; 19] = [
     "beyond_regions",
     "beyond_attractors",
     "beyond_proofs",
+    "beyond_generations",
     "straightened",
     "theorems",
 ];

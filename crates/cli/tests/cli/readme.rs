@@ -419,8 +419,8 @@ fn printed(text: &str) -> Option<[f64; 2]> {
 #[test]
 fn tables_beyond_the_paper_are_those_that_are_made() {
     let (page, mut held) = (read("docs/beyond.md"), 0);
-    // Only some rows of the last table, and these columns.
-    let tables: [(&str, &str, &[&str]); 4] = [
+    // Only some rows of the last two tables, and these columns.
+    let tables: [(&str, &str, &[&str]); 5] = [
         ("| p, n of Figure 7 |", "beyond_limits", &[]),
         ("| p, n | σ | 4 impacts |", "beyond_cascade", &[]),
         ("| p | in regions |", "beyond_attractors_regions", &[]),
@@ -428,6 +428,11 @@ fn tables_beyond_the_paper_are_those_that_are_made() {
             "| n | σ | M at SN or PD |",
             "beyond_loops_measured",
             &["n", "sigma", "m_slowest", "m_fastest", "c_slowest", "c_fastest"],
+        ),
+        (
+            "| p, n of the MPS |",
+            "beyond_generations",
+            &["base_p", "base_n", "q", "omega", "amplitude", "impacts", "periods", "c_sn", "c_pd"],
         ),
     ];
     for (heading, file, columns) in tables {

@@ -182,7 +182,7 @@ fn curves_points_regions_and_hypotheses_are_those_of_the_diagram() {
     for (arc, curve) in (diagram.grazing.len() as u32..).zip(&diagram.curves) {
         for point in &curve.curve.points {
             let solution = &point.solution;
-            let [y, z, mu, eta] = solution.unknowns.into();
+            let [y, z, mu, eta] = solution.unknowns.first().into();
             let [primary, secondary] = own([mu, eta]);
             let phase = z - diagram.grazing_phase(eta).expect("the grazing curve crosses the window");
             let highest = solution.highest_interior_maximum.map_or(f64::NEG_INFINITY, |top| top.position);
@@ -211,7 +211,7 @@ fn curves_points_regions_and_hypotheses_are_those_of_the_diagram() {
         (CodimensionTwo::Resonance, resonance.loops, resonance.n, at)
     });
     let others = diagram.codimension_two.iter().map(|point| {
-        let [_, _, primary, secondary] = point.event.solution.unknowns.into();
+        let [_, _, primary, secondary] = point.event.solution.unknowns.first().into();
         (point.kind, point.loops, point.n, [primary, secondary])
     });
     let points = resonances.chain(others).map(|(kind, loops, n, at)| {

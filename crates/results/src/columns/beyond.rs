@@ -119,6 +119,26 @@ columns! {
     MAP_REMARK = "remark", "", "1";
 }
 
+// Resonances of motion with impacts.
+columns! {
+    /// number of the resonance, its row in beyond_generations.csv
+    LATER_NUMBER = "resonance", "", "1";
+    /// p of the MPSs that graze: the grazing motion recurs after as many forcing periods
+    LATER_BASE_LOOPS = "base_p", "p", "1";
+    /// n of the resonance from which the regions of these MPSs leave; 0 without one
+    LATER_BASE_INDEX = "base_n", "n", "1";
+    /// q: solutions leave that hit the wall once more than in q rounds of the grazing motion; a₁₂ = 0 for q = 1, κ_q = 0 for q ≥ 2, of the map through its impact
+    LATER_ROUNDS = "q", "q", "1";
+    /// impacts of these solutions
+    LATER_IMPACTS = "impacts", "K", "1";
+    /// forcing periods after which they recur
+    LATER_PERIODS = "periods", "", "1";
+    /// the hypotheses of Theorem 2.4 or 2.5 that fail; empty if the theorem applies
+    LATER_FAILS = "fails", "", "1";
+    /// least impact velocity of the solution
+    LATER_VELOCITY = "impact_velocity", r"\min y_{\mathrm{imp}}", "length/time";
+}
+
 // Proofs for Figure 7.
 columns! {
     /// object in Figure 7: `curve`, `point` or `region`

@@ -5,8 +5,12 @@ use crate::checks::main_results::returns::derivatives;
 use crate::checks::oscillator::diagram::{Figure7, figure_7, is_vertex, theory};
 use crate::*;
 use grazing_continuation::curve::CurvePoint;
+use grazing_continuation::fit::quadratic_coefficient;
 use grazing_model::AnyOscillator;
+use grazing_unfold::Scope;
+use grazing_unfold::generations::later;
 use grazing_unfold::long_time::{Horizon, LongOrbit};
+use grazing_unfold::progress::Silent;
 
 /// n ω* is twice the damped natural frequency if p = 1 and the force is linear, but not otherwise.
 pub(crate) fn rational_multiples() -> CheckResult {
@@ -159,6 +163,30 @@ pub(crate) fn one_loop_regions() -> CheckResult {
     }
     let over = "one-loop regions of Figure 7 and all resonances in its window: where curves begin, and to which side they leave";
     Ok(cases.outcome(over).against_print(print.measure()))
+}
+
+/// At resonances on the curves along which MPSs of Figure 7 graze, whose motion has impacts elsewhere, the
+/// coefficients of Theorems 2.4 and 2.5 are those of the curves of the hybrid system.
+pub(crate) fn theorems_elsewhere() -> CheckResult {
+    let diagram = figure_7()?;
+    let scope = Scope { loops: vec![1, 2, 3, 4], ..diagram.scope.clone() };
+    let (mut largest, mut compared) = (Deviations::default(), 0);
+    for found in later(diagram, &scope, &Silent) {
+        let Ok(point) = &found.resonance.theorem else { continue };
+        let conditions = [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING];
+        for (condition, leading) in conditions.into_iter().zip(point.leading().into_array()) {
+            let fit = quadratic_coefficient(point, condition)?;
+            // Where two resonances nearly coincide, as beside ω = 1/2, the curves hardly leave.
+            if fit.error < 1e-7 * fit.value.abs() {
+                largest.compare(fit.value, leading.coefficient, fit.value.abs());
+                compared += 1;
+            }
+        }
+    }
+    largest.require(compared >= 16);
+    // Measured to seven digits or more.
+    Ok(largest
+        .outcome(1e-7, "SN and PD curves of solutions with two to five impacts, compared with the theorems"))
 }
 
 checks! {

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
 use grazing_reproduction::figures::beyond_attractors::{BeyondAttractors, Map, STARTS, Stretch};
+use grazing_reproduction::figures::beyond_generations::BeyondGenerations;
 use grazing_reproduction::figures::beyond_loops::BeyondLoops;
 use grazing_reproduction::figures::beyond_proofs::BeyondProofs;
 use grazing_reproduction::figures::beyond_regions::BeyondRegions;
@@ -308,4 +309,33 @@ fn what_is_drawn_in_figure_7_lies_where_it_is_proved_to_be() {
         assert!(item.within + u32::from(item.object != "point") >= item.drawn, "{item:?}");
         assert!(item.object == "point" || item.width <= 1e-6, "{item:?}");
     }
+}
+
+#[test]
+fn resonances_of_motion_with_impacts_have_the_coefficients_that_are_measured() {
+    let shown = made().study.shown::<BeyondGenerations>().expect("it can be computed");
+    let (hold, fail): (Vec<_>, Vec<_>) = shown.resonances.iter().partition(|row| row.fails.is_empty());
+    assert!(hold.len() >= 9 && !fail.is_empty());
+    for row in hold {
+        assert_eq!((row.impacts, row.periods), (row.rounds + 1, row.rounds * row.base_loops));
+        let pairs = [
+            (row.saddle_node, row.saddle_node_fit, row.saddle_node_error),
+            (row.period_doubling, row.period_doubling_fit, row.period_doubling_error),
+        ];
+        for (theorem, fit, error) in pairs {
+            assert!((theorem - fit).abs() <= 3.0 * error + 1e-9 * fit.abs(), "{row:?}");
+        }
+        // Curves leave it.
+        let of_it = shown.curves.iter().filter(|point| point.number == row.number);
+        assert!(
+            of_it
+                .clone()
+                .any(|point| (point.primary - row.primary).abs() < 1e-9 && point.impact_velocity == 0.0)
+        );
+        assert!(of_it.count() > 20, "{row:?}");
+    }
+    // κ_q vanishes where a₁₂ has the wrong sign: the solutions go through the wall.
+    assert!(fail.iter().all(|row| row.rounds >= 2 && row.off_diagonal < 0.0));
+    assert_eq!(shown.panels.len(), 3);
+    assert!(shown.missing.is_empty(), "{:?}", shown.missing);
 }
