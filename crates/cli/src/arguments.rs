@@ -15,8 +15,8 @@ use grazing_source::Setting;
 mod values;
 
 use self::values::{column, curve, date, place, positive, size};
+use crate::examples;
 use crate::failure::Failure;
-use crate::new;
 use crate::outputs::edition::{Edition, Format, TextForm, WIDTHS};
 use crate::outputs::{self, edition};
 use crate::variation::{Part, Variation};
@@ -455,7 +455,7 @@ fn widths() -> impl TypedValueParser<Value = SheetWidth> {
 
 /// The oscillators that a new description can start from.
 fn kinds() -> impl Iterator<Item = PossibleValue> {
-    new::kinds().map(|kind| PossibleValue::new(kind.name).help(kind.about))
+    examples::kinds().map(|kind| PossibleValue::new(kind.name).help(kind.about))
 }
 
 /// The names of outputs, with their titles.

@@ -23,7 +23,7 @@ use crate::outputs::oscillator::{
     ONE_PARAMETER, PLACES, STRAIGHTENED_CURVES, TWO_PARAMETERS, one_parameter_figure, places, plane,
     straightened_about,
 };
-use crate::{limits, project, tables, terminal};
+use crate::{examples, limits, system, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed, or writes it as files.
 ///
@@ -51,7 +51,7 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     limits::end_when_interrupted();
     // The redirecting page exists as long as the server runs.
     let _redirect = if arguments.no_browser { None } else { open(&address) };
-    server.run(limits::is_interrupted, limits::held).map_err(|reason| Failure::unwritten(reason.to_string()))
+    server.run(limits::is_interrupted, system::held).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
 
 /// Writes the page and the WebAssembly program in it as files.
@@ -93,7 +93,7 @@ fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
         all.push(Example { name: description.name().to_owned(), file, text: Some(text) });
     }
     all.push(Example { name: "The paper's oscillator".to_owned(), file: String::new(), text: None });
-    all.extend(project::EXAMPLE_FILES.iter().filter_map(|(file, text)| {
+    all.extend(examples::EXAMPLE_FILES.iter().filter_map(|(file, text)| {
         let name = Description::parse(text, file).ok()?.name().to_owned();
         Some(Example { name, file: (*file).to_owned(), text: Some((*text).to_owned()) })
     }));

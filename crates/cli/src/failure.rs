@@ -9,6 +9,9 @@ use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_source::SettingError;
 
+/// The exit code where a computation is incomplete.
+pub(crate) const INCOMPLETE: u8 = 3;
+
 /// A failure with its message: one line, and for a wrong expression the expression with a mark.
 #[derive(Debug)]
 pub struct Failure {
@@ -37,7 +40,7 @@ impl Failure {
 
     /// The failure of a computation that is incomplete.
     pub(crate) fn incomplete(reason: impl Into<String>) -> Self {
-        Self::new(3, reason)
+        Self::new(INCOMPLETE, reason)
     }
 
     /// The failure to compute an output.

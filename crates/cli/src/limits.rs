@@ -8,8 +8,6 @@
 //! The CPU time of all threads counts, so that a busy machine finishes what an idle one does. Where
 //! the system has no clock of it, wall-clock time is used.
 
-use std::fs;
-use std::io;
 use std::path::Path;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -20,7 +18,8 @@ use std::time::Duration;
 use grazing_description::Limits;
 use grazing_model::smooth::Stop;
 
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
+use crate::system::{CLOCK, address_space, clock, held, megabytes};
 use crate::{folder, signals, terminal};
 
 /// The interval at which clock and memory are read: memory can grow by some ten megabytes in between.
@@ -29,8 +28,6 @@ const PAUSE: Duration = Duration::from_millis(20);
 /// The number of times that Ctrl-C was pressed.
 static INTERRUPTIONS: AtomicU32 = AtomicU32::new(0);
 
-/// The exit code of a computation that was ended.
-pub(crate) const ENDED: i32 = 3;
 /// The part of the address space that an analysis may use: the rest is for drawing and writing. Much of what is
 /// taken is only reserved, by each thread.
 const ANALYSIS: f64 = 0.9;
@@ -101,33 +98,12 @@ pub(crate) fn leave_nothing_behind() {
 /// Ends the program with a last message, without leaving unfinished files behind.
 fn leave(words: &str) -> ! {
     folder::remove_own_temporaries();
-    // Other threads that report their progress wait for this lock, and so print nothing more.
-    let _silence = io::stderr().lock();
-    terminal::note(words);
-    process::exit(ENDED)
+    terminal::last_note(words, || process::exit(failure::INCOMPLETE.into()))
 }
 
 /// Whether Ctrl-C was pressed.
 pub(crate) fn is_interrupted() -> bool {
     INTERRUPTIONS.load(Ordering::Relaxed) > 0
-}
-
-/// The CPU time that the process has taken.
-#[cfg(unix)]
-fn clock() -> Duration {
-    let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
-    Duration::new(time.tv_sec.cast_unsigned(), u32::try_from(time.tv_nsec).unwrap_or_default())
-}
-
-/// The kind of time that is counted, in messages.
-const CLOCK: &str =
-    if cfg!(unix) { "of CPU time" } else { "of wall-clock time (this system does not report CPU time)" };
-
-/// The time since the first call, where the system has no clock of CPU time.
-#[cfg(not(unix))]
-fn clock() -> Duration {
-    static FIRST: OnceLock<std::time::Instant> = OnceLock::new();
-    FIRST.get_or_init(std::time::Instant::now).elapsed()
 }
 
 /// Watches over one analysis, or over the reading of its file, as long as the value lives.
@@ -143,19 +119,6 @@ struct Watched {
     met: OnceLock<EndCause>,
     /// The megabytes of address space that the system allows, if it limits them.
     address_space: Option<f64>,
-}
-
-/// The megabytes of address space that the system allows the process, if it limits them.
-#[cfg(unix)]
-fn address_space() -> Option<f64> {
-    use rustix::process::{Resource, getrlimit};
-    getrlimit(Resource::As).current.map(|bytes| bytes as f64 / 1e6)
-}
-
-/// The system has no such limit.
-#[cfg(not(unix))]
-fn address_space() -> Option<f64> {
-    None
 }
 
 impl Watch {
@@ -268,24 +231,6 @@ pub(crate) fn ended(file: &Path, met: Option<EndCause>, outcome: &str) -> Failur
 /// Whether the process holds more than this many megabytes; false where the system does not report it.
 fn holds_more_than(megabytes: f64) -> bool {
     held().is_some_and(|held| held > megabytes)
-}
-
-/// The memory that the process holds, in megabytes, where the system reports it as Linux does.
-pub(crate) fn held() -> Option<f64> {
-    megabytes("VmRSS:")
-}
-
-/// A quantity of memory that the system reports under a name, in megabytes.
-fn megabytes(name: &str) -> Option<f64> {
-    let kilobytes: f64 = status(name)?.parse().ok()?;
-    Some(1.024e-3 * kilobytes)
-}
-
-/// A value of this process that the system reports under a name, where it does so as Linux does.
-pub(crate) fn status(name: &str) -> Option<String> {
-    let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix(name))?;
-    line.split_whitespace().next().map(str::to_owned)
 }
 
 #[cfg(test)]

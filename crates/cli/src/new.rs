@@ -5,48 +5,9 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use crate::arguments;
+use crate::examples::kinds;
 use crate::failure::Failure;
-use crate::project::EXAMPLE_FILES;
 use crate::terminal;
-
-/// A description that a user begins with.
-pub struct Kind {
-    /// The name on the command line; of an example, its file name without the ending.
-    pub name: &'static str,
-    /// A line about the oscillator that it describes.
-    pub about: &'static str,
-    /// The text of the file.
-    pub text: &'static str,
-}
-
-/// The kinds that are not examples.
-const PLAIN: [Kind; 3] = [
-    Kind {
-        name: "plain",
-        about: "A mass on a spring beside a wall at x = 0, without units",
-        text: include_str!("new/plain.toml"),
-    },
-    Kind {
-        name: "moving-wall",
-        about: "A mass over a table that shakes: the wall moves",
-        text: include_str!("new/moving-wall.toml"),
-    },
-    Kind {
-        name: "si",
-        about: "A rig in metres, kilograms and seconds, its stop at a distance",
-        text: include_str!("new/si.toml"),
-    },
-];
-
-/// All kinds: the plain ones, and the examples.
-pub fn kinds() -> impl Iterator<Item = Kind> {
-    let example = |(file, text): &(&'static str, &'static str)| Kind {
-        name: file.trim_end_matches(".toml"),
-        about: text.lines().find_map(|line| line.strip_prefix("name = \"")?.split('"').next()).unwrap_or(""),
-        text,
-    };
-    PLAIN.into_iter().chain(EXAMPLE_FILES.iter().map(example))
-}
 
 /// Writes the file and prints how to use it.
 ///

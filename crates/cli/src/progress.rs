@@ -1,7 +1,6 @@
 //! The progress of computations on the error stream: bars on a terminal, plain lines otherwise.
 
 use std::collections::BTreeMap;
-use std::io::{self, IsTerminal};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -40,7 +39,7 @@ struct Task {
 impl Display {
     /// A display with bars if the error stream is a terminal, with lines otherwise.
     pub(crate) fn new() -> Display {
-        Display { bars: io::stderr().is_terminal().then(MultiProgress::new), ..Display::default() }
+        Display { bars: terminal::is_watched().then(MultiProgress::new), ..Display::default() }
     }
 
     /// Whether there are bars.

@@ -16,21 +16,6 @@ pub(crate) const PARAMETERS: &str = "figures/parameters.toml";
 pub(crate) const PARAMETERS_TEXT: &str = include_str!("../../../figures/parameters.toml");
 /// The default output folder, from the root of the repository.
 pub(crate) const FIGURES: &str = "figures";
-/// The folder of example oscillators, from the root of the repository.
-pub(crate) const EXAMPLES: &str = "examples";
-macro_rules! examples {
-    ($($name:literal)+) => {
-        /// The example oscillators, which are also available outside the repository: file and text.
-        pub(crate) const EXAMPLE_FILES: &[(&str, &str)] =
-            &[$(($name, include_str!(concat!("../../../examples/", $name))),)+];
-    };
-}
-
-examples! {
-    "afm.toml" "base-excitation.toml" "clearance.toml" "door.toml" "drill.toml" "duffing.toml"
-    "harvester.toml" "leaf-spring.toml" "paper.toml" "parametric.toml" "pendulum.toml" "quadratic-damping.toml"
-    "relay.toml" "rig-si.toml" "shaking-table.toml" "two-harmonics.toml" "varying-impact.toml"
-}
 
 /// The default output folder for other formats and widths.
 const JOURNAL: &str = "journal";
@@ -108,23 +93,4 @@ pub(crate) fn root_folder() -> Result<PathBuf, Failure> {
              with --output DIR"
         ))
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use std::fs;
-    use std::path::Path;
-
-    use super::*;
-
-    #[test]
-    fn all_examples_of_the_folder_are_at_hand() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(EXAMPLES);
-        let entries =
-            fs::read_dir(folder).expect("it is there").map(|entry| entry.expect("it is").file_name());
-        let names = entries.map(|name| name.into_string().expect("it is text"));
-        let mut names: Vec<String> = names.filter(|name| name.ends_with(".toml")).collect();
-        names.sort();
-        assert_eq!(names, EXAMPLE_FILES.iter().map(|(name, _)| *name).collect::<Vec<_>>());
-    }
 }

@@ -64,7 +64,7 @@ pub(crate) fn soften_limits() {
     if [Resource::As, Resource::Data].into_iter().any(|of| getrlimit(of).current.is_some()) {
         let _ = flag::register_conditional_shutdown(
             SIGABRT,
-            crate::limits::ENDED,
+            i32::from(crate::failure::INCOMPLETE),
             Arc::new(AtomicBool::new(true)),
         );
     }
@@ -77,7 +77,7 @@ pub(crate) fn soften_limits() {}
 /// Whether the signal was ignored when the program began; false where the system does not report it.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
-    let mask = crate::limits::status("SigIgn:").and_then(|mask| u64::from_str_radix(&mask, 16).ok());
+    let mask = crate::system::status("SigIgn:").and_then(|mask| u64::from_str_radix(&mask, 16).ok());
     mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
 

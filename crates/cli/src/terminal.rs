@@ -1,6 +1,7 @@
 //! Text for the user: results on the output stream, messages on the error stream.
 
 use std::borrow::Cow;
+use std::convert::Infallible;
 use std::env;
 use std::io::{self, IsTerminal, Write};
 use std::sync::{Mutex, PoisonError};
@@ -60,6 +61,18 @@ pub(crate) fn note(line: &str) {
         None => line,
     };
     let _ = writeln!(io::stderr().lock(), "{line}");
+}
+
+/// Writes a message and ends the program, while other threads that report their progress wait, and so print nothing more.
+pub(crate) fn last_note(line: &str, end: impl FnOnce() -> Infallible) -> ! {
+    let _silence = io::stderr().lock();
+    note(line);
+    match end() {}
+}
+
+/// Whether the error stream is a terminal.
+pub(crate) fn is_watched() -> bool {
+    io::stderr().is_terminal()
 }
 
 /// The command that starts the program in a clone, and so the one in all texts.

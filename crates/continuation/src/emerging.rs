@@ -8,10 +8,9 @@ use grazing_theorems::iterated::{Boundary, IteratedResonance, VelocityBound};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::curve::{Curve, Route, SolutionCurve};
-use crate::fit::LeavingCurve;
 use crate::locate::{Condition, locate};
 use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, parameters, unknown};
-use crate::resonance::{LocatedResonance, ResonanceError};
+use crate::resonance::{LeavingCurve, LocatedResonance, ResonanceError};
 
 /// Impact velocities at which a GZ curve is looked for beside a resonance, in this order: at the
 /// first leading terms are good enough for Newton's method, at the last rounding of positions, of

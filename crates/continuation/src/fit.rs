@@ -27,14 +27,12 @@
 
 use core::f64::consts::PI;
 
-use grazing_model::{AnyOscillator, ImpactOscillator};
+use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::{GrazingOrbitError, GrazingPlace};
-use grazing_theorems::resonant_theorem::BifurcationCurve;
 
-use crate::curve::{Curve, Route, SolutionCurve};
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
-use crate::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
+use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
+use crate::resonance::{LeavingCurve, ResonantGrazingPoint};
 
 /// The reason why a coefficient could not be measured.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -62,21 +60,6 @@ pub struct Estimate {
     pub value: f64,
     /// Estimated absolute error.
     pub error: f64,
-}
-
-/// A curve of MPSs that leaves a resonance, by theory.
-#[derive(Clone, Debug)]
-pub struct LeavingCurve<'a, O = AnyOscillator> {
-    /// The resonance.
-    pub resonance: &'a LocatedResonance<O>,
-    /// The equations of the MPSs, which may have more loops than those of the resonance.
-    pub equations: LoopEquations<O>,
-    /// The condition that holds along the curve.
-    pub condition: Condition,
-    /// The leading terms of the curve, by theory.
-    pub leading: BifurcationCurve,
-    /// The number of the visit to Π that touches the wall, on a GZ curve.
-    pub visit: Option<u32>,
 }
 
 /// The quantities measured on a curve at its resonance.
@@ -137,32 +120,6 @@ pub fn measure<O: ImpactOscillator>(
 }
 
 impl<O: ImpactOscillator> LeavingCurve<'_, O> {
-    /// Follows the curve from the resonance, which is impossible for a GZ curve: its equations are
-    /// singular there.
-    ///
-    /// # Errors
-    /// The curve cannot be started.
-    pub fn follow(&self, route: &Route<'_>) -> Result<Curve, ResonanceError> {
-        let (start, condition) = (self.resonance.unknowns(), self.condition);
-        let equations = self.equations.with_formulation(Formulation::FixedPhase);
-        SolutionCurve { equations, condition }
-            .follow(start, self.direction(), EventTimes::default(), route)
-            .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
-    }
-
-    /// The direction in which, by theory, the curve leaves with y > 0.
-    ///
-    /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η
-    /// that makes y positive. Paper: eq:Upsilon1, eq:Upsilonp, eq:ZM.
-    pub fn direction(&self) -> Unknowns {
-        let (orbit, leading) = (self.resonance.orbit(), &self.leading);
-        let [by_velocity, by_phase] = [leading.impact_velocity_slope, leading.impact_phase_slope];
-        let first = Unknowns::new(by_velocity, orbit.phase_slope() + by_phase, orbit.primary_slope(), 1.0)
-            .normalize();
-        let sign = leading.eta_side.signum();
-        self.equations.with_others(&self.resonance.unknowns(), first * sign)
-    }
-
     /// The curve with η and μ as interpolants in y.
     ///
     /// From level to level the nodes come nearer to y = 0, as far as the terms beyond the

@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 use crate::answer::{Problem, Sheet};
-use crate::events::{self, Clock, Events, Listener};
+use crate::events::{self, Clock, Events, Listener, Told};
 use crate::figure::{ExportRequest, Seen};
 use crate::kept::Kept;
 use crate::model::Model;
@@ -28,8 +28,6 @@ pub(crate) enum Weight {
 
 /// A computation with one value as its result.
 type One = dyn Fn(&Stop) -> Result<Value, Problem> + Send;
-/// A computation that sends results as it finds them.
-pub(crate) type Told = dyn Fn(&Events, &Stop) -> Result<(), Problem> + Send;
 
 /// A request that has been read.
 pub(crate) enum Asked {
@@ -47,7 +45,7 @@ pub(crate) fn reader(name: &str) -> Option<fn(&[u8]) -> Read> {
         "check" => |body| one(body, |_| Weight::Light, check),
         "diagram" => |body| told(body, diagram::compute),
         "tiles" => |body| told(body, tiles::compute),
-        "place" => |body| one(body, PlaceRequest::weight, place::compute),
+        "place" => |body| one(body, weight, place::compute),
         "exact" => |body| one(body, |_| Weight::Light, exact::compute),
         "follow" => |body| one(body, |_| Weight::Light, follow::compute),
         "cut" => |body| told(body, cut::compute),
@@ -73,6 +71,10 @@ fn told<T: DeserializeOwned + Send + 'static>(
 ) -> Read {
     let request: T = serde_json::from_slice(body)?;
     Ok(Asked::Told(Box::new(move |events, stop| compute(&request, events, stop))))
+}
+
+fn weight(request: &PlaceRequest) -> Weight {
+    if request.is_followed() { Weight::Light } else { Weight::Heavy }
 }
 
 /// The description of a model, or the mistake in it, which is an answer, too.

@@ -10,7 +10,6 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::answer::Problem;
-use crate::asked::Told;
 use crate::kept::Kept;
 
 /// The shortest interval between reports of progress.
@@ -21,6 +20,9 @@ pub type Clock = fn() -> Duration;
 
 /// Takes the text of an event, and returns whether there still is a listener.
 pub type Listener = dyn Fn(String) -> bool + Send + Sync;
+
+/// A computation that sends results as it finds them.
+pub(crate) type Told = dyn Fn(&Events, &Stop) -> Result<(), Problem> + Send;
 
 /// The channel into which a computation sends its results.
 pub(crate) struct Events<'a> {

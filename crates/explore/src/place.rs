@@ -11,7 +11,6 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::asked::Weight;
 use crate::model::Model;
 
 /// The request for motion at a place.
@@ -68,9 +67,9 @@ const MOST_PERIODS: u32 = 1_000_000;
 pub(crate) const FARTHEST: f64 = 1e6;
 
 impl PlaceRequest {
-    /// The weight of the request: following motion from a place nearby takes a moment.
-    pub(crate) fn weight(&self) -> Weight {
-        if self.nearby.is_some() { Weight::Light } else { Weight::Heavy }
+    /// Whether motion found nearby is followed, which takes a moment.
+    pub(crate) fn is_followed(&self) -> bool {
+        self.nearby.is_some()
     }
 }
 

@@ -1,5 +1,7 @@
 //! The interface of the figures in the paper and beyond it.
 
+use std::sync::Arc;
+
 use grazing_drawing::{DrawingError, Sheet, SheetWidth};
 use grazing_results::{TablePlan, Tables};
 
@@ -73,6 +75,14 @@ pub struct Remarks {
 }
 
 impl Study {
+    /// The contents of a figure, computed once.
+    ///
+    /// # Errors
+    /// The section is invalid, or the figure cannot be computed.
+    pub fn shown<F: PaperFigure>(&self) -> Result<Arc<F::Shown>, StudyError> {
+        self.once::<F, _>(|| self.parameters.section::<F>()?.compute(self))
+    }
+
     /// The constants of the paper's oscillator, by their symbols in LaTeX.
     pub(crate) fn oscillator_constants(&self) -> Result<Vec<(&'static str, f64)>, ParameterError> {
         let oscillator = self.parameters.oscillator()?;

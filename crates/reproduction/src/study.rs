@@ -9,9 +9,9 @@ use grazing_model::LinearOscillator;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::{Progress, Silent};
 
+use crate::StudyError;
 use crate::coefficients::CoefficientTable;
 use crate::parameters::Parameters;
-use crate::{PaperFigure, StudyError};
 
 /// The reproduction for one set of parameters, on which all figures and tables depend. Results that
 /// several of them use are computed when first needed.
@@ -21,12 +21,12 @@ pub struct Study {
     pub(crate) progress: Arc<dyn Progress + Send>,
     pub(crate) diagram: OnceLock<Result<Diagram, StudyError>>,
     pub(crate) coefficients: OnceLock<Result<CoefficientTable, StudyError>>,
-    /// The contents of figures, by the figure's type.
-    shown: Mutex<HashMap<TypeId, Arc<OnceLock<Shown>>>>,
+    /// Other results, by whose they are.
+    others: Mutex<HashMap<TypeId, Arc<OnceLock<Other>>>>,
 }
 
-/// The contents of a figure, or the reason why there are none.
-type Shown = Result<Arc<dyn Any + Send + Sync>, StudyError>;
+/// A result of any type, or the reason why there is none.
+type Other = Result<Arc<dyn Any + Send + Sync>, StudyError>;
 
 impl Study {
     /// A study of these parameters, with nothing computed yet.
@@ -36,25 +36,22 @@ impl Study {
             progress: Arc::new(Silent),
             diagram: OnceLock::new(),
             coefficients: OnceLock::new(),
-            shown: Mutex::default(),
+            others: Mutex::default(),
         }
     }
 
-    /// The contents of a figure, computed once.
-    ///
-    /// # Errors
-    /// The section is invalid, or the figure cannot be computed.
-    pub fn shown<F: PaperFigure>(&self) -> Result<Arc<F::Shown>, StudyError> {
-        let mut all = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
-        let once = Arc::clone(all.entry(TypeId::of::<F>()).or_default());
-        // Other figures can be computed meanwhile.
+    /// What belongs to a type, such as the contents of a figure, computed once.
+    pub(crate) fn once<Owner: 'static, T: Any + Send + Sync>(
+        &self,
+        compute: impl FnOnce() -> Result<T, StudyError>,
+    ) -> Result<Arc<T>, StudyError> {
+        let mut all = self.others.lock().unwrap_or_else(PoisonError::into_inner);
+        let once = Arc::clone(all.entry(TypeId::of::<Owner>()).or_default());
+        // Others can be computed meanwhile.
         drop(all);
-        let compute = || {
-            let shown = self.parameters.section::<F>()?.compute(self)?;
-            Ok(Arc::new(shown) as Arc<dyn Any + Send + Sync>)
-        };
-        let shown = Arc::clone(once.get_or_init(compute).as_ref().map_err(Clone::clone)?);
-        Ok(shown.downcast().expect("the entry of a figure holds its contents"))
+        let compute = || Ok(Arc::new(compute()?) as Arc<dyn Any + Send + Sync>);
+        let found = Arc::clone(once.get_or_init(compute).as_ref().map_err(Clone::clone)?);
+        Ok(found.downcast().expect("an owner has results of one type"))
     }
 
     /// Sets the receiver of progress reports.

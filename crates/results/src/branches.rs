@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 
-use crate::readings::{MotionReading, Ordinate, Reading};
+use crate::readings::{MotionReading, Ordinate, Reading, Sweep};
 use crate::{Frame, Names, Table, Tables, rows, tables, words};
 
 words! {
@@ -243,5 +243,55 @@ impl OneParameter {
         let margin = MARGIN * if highest > lowest { highest - lowest } else { 1.0 };
         self.frame.y = [lowest - margin, highest + margin];
         self
+    }
+
+    /// The diagram with the chosen ordinate in place of x.
+    #[must_use]
+    pub fn seen(&self) -> Self {
+        let ordinate = self.ordinate;
+        if ordinate == Ordinate::X {
+            return self.clone();
+        }
+        let point = |row: &Reading| BranchPoint {
+            diagram: row.diagram,
+            loops: row.loops,
+            secondary: row.secondary,
+            primary: row.primary,
+            x: row.read(ordinate),
+            visit: 1,
+            impact_velocity: row.impact_velocity,
+            impact_phase: row.impact_phase,
+            stable: row.stable,
+            admissible: row.admissible,
+            branch: row.branch,
+        };
+        let mut seen = self.clone();
+        seen.branches = self.readings.iter().map(point).collect();
+        for found in &mut seen.bifurcations {
+            // A bifurcation is also a point of a branch; the ordinate is that of the nearest reading.
+            let far = |row: &Reading| {
+                let velocity = row.impact_velocity - found.impact_velocity;
+                let aside = [row.primary - found.primary, row.secondary - found.secondary].map(f64::abs);
+                aside[0] + aside[1] + if velocity.is_nan() { 0.0 } else { velocity.abs() }
+            };
+            let same = self.readings.iter().filter(|row| row.loops == found.loops);
+            let nearest = same.min_by(|a, b| far(a).total_cmp(&far(b)));
+            found.x = nearest.map_or(f64::NAN, |row| row.read(ordinate));
+        }
+        let random = self.motion.iter().filter(|row| row.sweep == Sweep::Random);
+        let dot = |row: &MotionReading| AttractorPoint {
+            diagram: row.diagram,
+            secondary: row.secondary,
+            primary: row.primary,
+            x: row.read(ordinate),
+        };
+        seen.attractor = random.map(dot).collect();
+        seen.fitted()
+    }
+
+    /// The varying parameter and the ordinate of simulated motion for one kind of sweep.
+    pub fn swept(&self, sweep: Sweep) -> impl Iterator<Item = (f64, f64)> {
+        let rows = self.motion.iter().filter(move |row| row.sweep == sweep);
+        rows.map(|row| (self.across(row), row.read(self.ordinate))).filter(|(_, value)| value.is_finite())
     }
 }

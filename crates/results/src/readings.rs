@@ -1,7 +1,6 @@
 //! Engineering quantities of motion: impact velocities, peak-to-peak amplitudes, forces and power, along
 //! branches and as a parameter is swept up and down.
 
-use crate::branches::{AttractorPoint, BranchPoint, OneParameter};
 use crate::{rows, words};
 
 words! {
@@ -68,15 +67,11 @@ rows! {
     }
 }
 
-/// A row with the quantities that the vertical axis can show.
-trait Read {
-    fn read(&self, ordinate: Ordinate) -> f64;
-}
-
 macro_rules! read {
     ($($row:ident: $x:expr,)+) => {$(
-        impl Read for $row {
-            fn read(&self, ordinate: Ordinate) -> f64 {
+        impl $row {
+            /// The quantity that the vertical axis shows.
+            pub(crate) fn read(&self, ordinate: Ordinate) -> f64 {
                 let x: fn(&Self) -> f64 = $x;
                 match ordinate {
                     Ordinate::X => x(self),
@@ -109,57 +104,5 @@ impl Ordinate {
             Self::Power => POWER,
         };
         (column.name, column.unit)
-    }
-}
-
-impl OneParameter {
-    /// The diagram with the chosen ordinate in place of x.
-    #[must_use]
-    pub fn seen(&self) -> Self {
-        let ordinate = self.ordinate;
-        if ordinate == Ordinate::X {
-            return self.clone();
-        }
-        let point = |row: &Reading| BranchPoint {
-            diagram: row.diagram,
-            loops: row.loops,
-            secondary: row.secondary,
-            primary: row.primary,
-            x: row.read(ordinate),
-            visit: 1,
-            impact_velocity: row.impact_velocity,
-            impact_phase: row.impact_phase,
-            stable: row.stable,
-            admissible: row.admissible,
-            branch: row.branch,
-        };
-        let mut seen = self.clone();
-        seen.branches = self.readings.iter().map(point).collect();
-        for found in &mut seen.bifurcations {
-            // A bifurcation is also a point of a branch; the ordinate is that of the nearest reading.
-            let far = |row: &Reading| {
-                let velocity = row.impact_velocity - found.impact_velocity;
-                let aside = [row.primary - found.primary, row.secondary - found.secondary].map(f64::abs);
-                aside[0] + aside[1] + if velocity.is_nan() { 0.0 } else { velocity.abs() }
-            };
-            let same = self.readings.iter().filter(|row| row.loops == found.loops);
-            let nearest = same.min_by(|a, b| far(a).total_cmp(&far(b)));
-            found.x = nearest.map_or(f64::NAN, |row| row.read(ordinate));
-        }
-        let random = self.motion.iter().filter(|row| row.sweep == Sweep::Random);
-        let dot = |row: &MotionReading| AttractorPoint {
-            diagram: row.diagram,
-            secondary: row.secondary,
-            primary: row.primary,
-            x: row.read(ordinate),
-        };
-        seen.attractor = random.map(dot).collect();
-        seen.fitted()
-    }
-
-    /// The varying parameter and the ordinate of simulated motion for one kind of sweep.
-    pub fn swept(&self, sweep: Sweep) -> impl Iterator<Item = (f64, f64)> {
-        let rows = self.motion.iter().filter(move |row| row.sweep == sweep);
-        rows.map(|row| (self.across(row), row.read(self.ordinate))).filter(|(_, value)| value.is_finite())
     }
 }

@@ -25,7 +25,6 @@ use rayon::prelude::*;
 pub use branches::Branch;
 pub use oriented::oriented;
 pub use portraits::Subject;
-pub use visits::Sampling;
 
 use crate::curves::DiagramCurve;
 use crate::progress::Progress;
@@ -49,6 +48,28 @@ pub struct Line {
     /// The values of the other parameter that are shown, inside the range of the scope, through
     /// which branches are followed.
     pub range: [f64; 2],
+}
+
+/// Settings for the sampling of long-term behaviour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampling {
+    /// Number of values of the parameter across, evenly spaced, at least 2.
+    pub values: u32,
+    /// The kinds of bifurcations between the first of which the values lie, or there are none;
+    /// `None` for the whole range.
+    pub between: Option<[Bifurcation; 2]>,
+    /// Number of orbits at each value, from random states.
+    pub orbits: u32,
+    /// Number of forcing periods before an orbit counts; more where damping is weak.
+    pub transient: u32,
+    /// Number of forcing periods for which it then counts.
+    pub recorded: u32,
+    /// The least x of initial states; `None` for the least x that is shown.
+    pub lowest: Option<f64>,
+    /// The seed of the random states.
+    pub seed: u64,
+    /// Whether quantities other than x are read as well.
+    pub readings: bool,
 }
 
 /// The branches on a line.

@@ -11,10 +11,10 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::CurvePoint;
-use grazing_continuation::fit::{Estimate, FitError, LeavingCurve, Straightened};
+use grazing_continuation::fit::{Estimate, FitError, Straightened};
 use grazing_continuation::locate::{Condition, locate, same_point};
 use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
-use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_continuation::resonance::{LeavingCurve, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingPlace;
 

@@ -8,12 +8,12 @@ use grazing_drawing::SheetWidth;
 use grazing_report::OscillatorEntry;
 use grazing_unfold::progress::Progress;
 
+use crate::examples;
 use crate::failure::Failure;
 use crate::limits::{Watch, ended};
 use crate::oscillator::OscillatorFile;
 use crate::outputs::oscillator::AnalysedOscillator;
 use crate::progress::Display;
-use crate::project;
 use crate::unfold::FIGURES;
 use crate::unfold::analysis::analyse;
 use crate::unfold::page;
@@ -28,7 +28,7 @@ impl OscillatorFile {
     /// # Errors
     /// A file cannot be read, or something in it is wrong.
     pub(crate) fn all(root: Option<&Path>, given: &[PathBuf]) -> Result<Vec<Self>, Failure> {
-        let folder = root.map(|root| root.join(project::EXAMPLES));
+        let folder = root.map(|root| root.join(examples::EXAMPLES));
         let examples = folder.iter().flat_map(|folder| EXAMPLES.map(|name| folder.join(name)));
         let mut files: Vec<PathBuf> = examples.filter(|file| file.is_file()).collect();
         files.extend_from_slice(given);
@@ -55,8 +55,8 @@ impl OscillatorFile {
         let progress: &dyn Progress = &display;
         let computed = progress.during(FIGURES, 1, || analysed.computed(SheetWidth::Paper))?;
         let mut entry = page::entry(self, &analysed.unfolded, &computed);
-        if root.is_some_and(|root| self.file.parent() == Some(&root.join(project::EXAMPLES))) {
-            entry.file = format!("{}/{}", project::EXAMPLES, entry.file);
+        if root.is_some_and(|root| self.file.parent() == Some(&root.join(examples::EXAMPLES))) {
+            entry.file = format!("{}/{}", examples::EXAMPLES, entry.file);
             entry.link = link.map(|link| format!("{link}{}", entry.file));
         }
         Ok((entry, met))

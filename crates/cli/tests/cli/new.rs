@@ -3,7 +3,7 @@
 use std::fs;
 
 use crate::program::{empty_folder, grazing, listing};
-use grazing_cli::new::{Kind, kinds};
+use grazing_cli::examples::{Kind, kinds};
 use grazing_description::{Description, Side};
 
 fn kind(name: &str) -> Kind {

@@ -12,6 +12,10 @@ pub(crate) fn in_hundredths((x, y): Spot) -> Hundredths {
     ((x * 100.0).round() as i32, (y * 100.0).round() as i32)
 }
 
+pub(crate) fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
+    spots.iter().map(|&spot| in_hundredths(spot)).collect()
+}
+
 /// A rectangle of the sheet, in points to the right and downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {

@@ -3,11 +3,12 @@
 use std::cell::RefCell;
 
 use crate::error::DrawingError;
-use crate::geometry::sheet::{Bounds, Hundredths, Spot, in_hundredths};
+use crate::geometry::sheet::{Bounds, Hundredths, Spot, all_in_hundredths, in_hundredths};
 use crate::geometry::simplify::simplify;
 use crate::ink::font::{Extent, Fonts};
 use crate::ink::legend::Sample;
 use crate::ink::markup::Label;
+use crate::ink::measured::MeasuredMark;
 use crate::ink::sheet::{Element, Path, Sheet};
 use crate::ink::style::{Colour, LEADER, Paint, Pen, SIZE_LIMIT, hat_pen};
 use crate::ink::svg::{POINTS_PER_MM, fill, hex, hundredths, points, spans, stroke};
@@ -144,6 +145,13 @@ impl Canvas {
         self.draw_at(centre, |x, y| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
     }
 
+    /// Draws the mark of a measurement about a spot.
+    pub(crate) fn measured(&self, mark: MeasuredMark, centre: Spot) {
+        for (spots, closed, attributes) in mark.strokes(centre) {
+            self.path([(spots, closed)], attributes);
+        }
+    }
+
     /// Draws squares of a given side on a grid with its top left corner at `corner`; `data` is path data
     /// in units of the side.
     pub(crate) fn bins(&self, corner: Spot, side: f64, data: &str, paint: Paint) {
@@ -259,10 +267,6 @@ impl Canvas {
         }
         Ok(sheet)
     }
-}
-
-pub(crate) fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
-    spots.iter().map(|&spot| in_hundredths(spot)).collect()
 }
 
 #[cfg(test)]

@@ -4,8 +4,7 @@
 use grazing_results::measured::{Agreement, SeenKind};
 
 use crate::geometry::shapes::{diamond, octagon, plus, square};
-use crate::geometry::sheet::{Hundredths, Spot};
-use crate::ink::canvas::{Canvas, all_in_hundredths};
+use crate::geometry::sheet::{Hundredths, Spot, all_in_hundredths};
 use crate::ink::style::{DISAGREES, DISAGREES_RIM, MARKER, MEASURED_OPEN, MEASURED_RIM, MEASURED_SIZE, Pen};
 use crate::ink::svg::{fill, path_data, stroke};
 
@@ -60,14 +59,5 @@ impl MeasuredMark {
             format!("<path d=\"{}\"{attributes}/>", path_data(&spots, closed))
         };
         self.strokes((12.0, 5.0)).into_iter().map(path).collect()
-    }
-}
-
-impl Canvas {
-    /// Draws the mark of a measurement about a spot.
-    pub(crate) fn measured(&self, mark: MeasuredMark, centre: Spot) {
-        for (spots, closed, attributes) in mark.strokes(centre) {
-            self.path([(spots, closed)], attributes);
-        }
     }
 }

@@ -15,8 +15,9 @@ use tokio::sync::mpsc::{Receiver, channel};
 use super::response::{self, Body};
 use super::turns::{self, Begun, Cause, StopOnDrop, Turns};
 use crate::answer::Problem;
-use crate::asked::{EVENTS, Told, Weight};
+use crate::asked::{EVENTS, Weight};
 use crate::events;
+use crate::events::Told;
 use crate::kept::Kept;
 
 /// The most events that wait for a slow reader; the computation then waits, too.

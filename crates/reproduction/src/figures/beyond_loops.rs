@@ -6,7 +6,7 @@
 
 mod ink;
 
-use grazing_continuation::fit::LeavingCurve;
+use grazing_continuation::resonance::LeavingCurve;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::AnyOscillator;
 use grazing_results::{rows, tables};

@@ -3,7 +3,7 @@
 
 use core::ops::Range;
 
-use super::DeliberateError;
+use super::listed::DeliberateError;
 
 /// The environment variable with the number of the active error.
 pub(super) const VARIABLE: &str = "GRAZING_DELIBERATE_ERROR";

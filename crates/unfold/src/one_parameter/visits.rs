@@ -1,6 +1,5 @@
 //! Long-term behaviour of the hybrid system from random states, as x on Π.
 
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::maps::{next_visit, virtual_map};
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd};
@@ -10,31 +9,10 @@ use grazing_results::readings::{MotionReading, Sweep};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
+use super::Sampling;
 use super::readings::{counted, readings_of};
 use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
 use crate::progress::Progress;
-
-/// Settings for the sampling of long-term behaviour.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sampling {
-    /// Number of values of the parameter across, evenly spaced, at least 2.
-    pub values: u32,
-    /// The kinds of bifurcations between the first of which the values lie, or there are none;
-    /// `None` for the whole range.
-    pub between: Option<[Bifurcation; 2]>,
-    /// Number of orbits at each value, from random states.
-    pub orbits: u32,
-    /// Number of forcing periods before an orbit counts; more where damping is weak.
-    pub transient: u32,
-    /// Number of forcing periods for which it then counts.
-    pub recorded: u32,
-    /// The least x of initial states; `None` for the least x that is shown.
-    pub lowest: Option<f64>,
-    /// The seed of the random states.
-    pub seed: u64,
-    /// Whether quantities other than x are read as well.
-    pub readings: bool,
-}
 
 /// Motion without impacts has settled when its transient is this small a fraction of its initial
 /// size: far less than a dot.
