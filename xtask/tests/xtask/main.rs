@@ -1,4 +1,6 @@
-//! What holds of the workspace: features of its libraries, and the workflows that check and release it.
+//! What holds of the workspace: features of its libraries, the structure of its sources, and the workflows that check and release it.
 
 mod features;
+mod sources;
+mod structure;
 mod workflows;

@@ -1,0 +1,172 @@
+//! What ARCHITECTURE.md says of the files of every crate: they use each other in one direction, what computes does no input and
+//! output, and one file of a program writes to the terminal.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use crate::sources::Sources;
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// The crates of the workspace, with the sources of libraries and programs.
+static CRATES: LazyLock<BTreeMap<String, Vec<Sources>>> = LazyLock::new(|| {
+    let folders = fs::read_dir(root().join("crates")).expect("it is there");
+    let names =
+        folders.map(|entry| entry.expect("it is there").file_name().into_string().expect("it is text"));
+    let folders =
+        names.map(|name| (name.clone(), format!("crates/{name}"))).chain([("xtask".into(), "xtask".into())]);
+    let read = |(name, folder): (String, String)| {
+        let text = |file: &str| fs::read_to_string(root().join(file)).ok();
+        let roots = ["lib.rs", "main.rs"].map(|name| format!("{folder}/src/{name}"));
+        let roots = roots.into_iter().filter(|file| root().join(file).is_file());
+        (name, roots.map(|file| Sources::read(&file, &text)).collect())
+    };
+    folders.map(read).collect()
+});
+
+/// The crates that do no input and output, as ARCHITECTURE.md lists them.
+fn pure() -> Vec<String> {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("it is there");
+    let (before, _) = text.split_once("do no I/O and never").expect("there is such a sentence");
+    let (_, sentence) = before.rsplit_once("\n- ").expect("it is in a list");
+    sentence.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+/// What does input or output, or asks the system.
+const SYSTEM: [&str; 8] = ["fs", "net", "process", "env", "os", "io::stdin", "io::stdout", "io::stderr"];
+/// What writes to the terminal.
+const STREAMS: [&str; 2] = ["io::stdout", "io::stderr"];
+/// The one file of each program that writes to the terminal.
+const TERMINALS: [&str; 3] = ["crates/cli/src/terminal.rs", "crates/trials/src/main.rs", "xtask/src/main.rs"];
+
+/// The uses of any of these parts of std, by file.
+fn uses(sources: &Sources, parts: &[&str]) -> BTreeSet<(String, String)> {
+    let of = |path: &str| {
+        parts.iter().any(|part| {
+            let rest = path.strip_prefix("std::").and_then(|path| path.strip_prefix(part));
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
+        })
+    };
+    sources.external().into_iter().filter(|(_, path)| of(path)).collect()
+}
+
+/// What writes to the terminal, by file.
+fn writes(sources: &Sources) -> impl Iterator<Item = (String, String)> {
+    let own = |(file, _): &(String, String)| !TERMINALS.contains(&&**file);
+    sources.prints.iter().cloned().chain(uses(sources, &STREAMS)).filter(own)
+}
+
+#[test]
+fn files_of_a_crate_do_not_use_each_other_in_circles() {
+    let circles: BTreeSet<String> = CRATES.values().flatten().flat_map(Sources::circles).collect();
+    assert!(circles.is_empty(), "{circles:#?}");
+}
+
+#[test]
+fn what_computes_does_no_input_and_output() {
+    let pure = pure();
+    assert!(pure.len() > 6, "{pure:?}");
+    for name in pure {
+        let sources =
+            CRATES.get(&name).unwrap_or_else(|| panic!("ARCHITECTURE.md: there is no crate {name}"));
+        let found: Vec<_> = sources.iter().flat_map(|sources| uses(sources, &SYSTEM)).collect();
+        assert!(found.is_empty(), "{name}: {found:#?}");
+    }
+}
+
+#[test]
+fn one_file_of_a_program_writes_to_the_terminal() {
+    let all = || CRATES.values().flatten();
+    let found: Vec<_> = all().flat_map(writes).collect();
+    assert!(found.is_empty(), "{found:#?}");
+    let files: BTreeSet<_> =
+        all().flat_map(|sources| uses(sources, &STREAMS)).map(|(file, _)| file).collect();
+    assert!(files.contains(TERMINALS[0]), "it is found where it may be: {files:?}");
+}
+
+/// The sources of a crate of these files, in `src/`, the first of which is its root.
+fn planted(files: &[(&str, &str)]) -> Sources {
+    let text = |wanted: &str| {
+        let found = files.iter().find(|(name, _)| wanted.strip_prefix("src/") == Some(*name));
+        found.map(|(_, text)| (*text).to_owned())
+    };
+    Sources::read("src/lib.rs", &text)
+}
+
+#[test]
+fn circles_are_seen_however_they_are_written() {
+    let root = "pub mod a; mod b; pub use b::B;";
+    let circle = BTreeSet::from(["src/a.rs → src/b.rs → src/a.rs".to_owned()]);
+    for to in
+        ["use crate::b::B;", "use crate::{b::{self, B as C}};", "use crate::B;", "fn f() { crate::b::g(); }"]
+    {
+        for back in [
+            "use super::a::A;",
+            "fn g() { vec![super::a::f()]; }",
+            "mod inner { use crate::a::*; const C: A = A; }",
+        ] {
+            let sources = planted(&[
+                ("lib.rs", root),
+                ("a.rs", &format!("{to} pub struct A;")),
+                ("b.rs", &format!("{back} pub struct B;")),
+            ]);
+            assert_eq!(sources.circles(), circle, "{to} {back}");
+        }
+    }
+    let three = planted(&[
+        ("lib.rs", "mod a; mod b; mod c;"),
+        ("a.rs", "mod inner; pub use inner::I;"),
+        ("a/inner.rs", "use crate::b::B; pub struct I;"),
+        ("b.rs", "use crate::c::C; pub struct B;"),
+        ("c.rs", "use crate::a::I; pub struct C(I);"),
+    ]);
+    let circle = "src/a/inner.rs → src/b.rs → src/c.rs → src/a/inner.rs".to_owned();
+    assert_eq!(three.circles(), BTreeSet::from([circle]));
+    let none = planted(&[
+        ("lib.rs", "mod a; mod b; pub use a::A;"),
+        (
+            "a.rs",
+            "// use crate::b::B;\n#[cfg(test)] mod tests { use crate::b::*; use super::*; } pub struct A(&'static str);",
+        ),
+        ("b.rs", "mod inner; pub struct B; fn f() -> crate::A { inner::g(\"crate::b::B\") }"),
+        // A submodule belongs to the module above it.
+        ("b/inner.rs", "use super::B; pub fn g() -> crate::A { crate::A(B.text) }"),
+    ]);
+    assert_eq!(none.circles(), BTreeSet::new());
+}
+
+#[test]
+fn input_and_output_is_seen_however_it_is_written() {
+    for (text, path) in [
+        ("use std::fs;", "std::fs"),
+        ("use std::{io, fs::File as F};", "std::fs::File"),
+        ("fn f() { std::env::var(\"HOME\"); }", "std::env::var"),
+        ("use std::net::*;", "std::net"),
+        ("fn f() -> ::std::fs::File {}", "std::fs::File"),
+        ("macro_rules! m { () => { ::std::process::exit(1) } }", "std::process::exit"),
+        ("use std::io; fn f() { json!({ \"a\": io::stdin() }) }", "std::io::stdin"),
+    ] {
+        let found = uses(&planted(&[("lib.rs", text)]), &SYSTEM);
+        assert!(found.contains(&("src/lib.rs".to_owned(), path.to_owned())), "{text}: {found:?}");
+    }
+    let innocent = "//! std::fs\nconst A: &str = env!(\"OUT_DIR\"); #[cfg(test)] mod tests { use std::fs; } use std::fmt;";
+    assert_eq!(uses(&planted(&[("lib.rs", innocent)]), &SYSTEM), BTreeSet::new());
+}
+
+#[test]
+fn what_writes_to_the_terminal_is_seen() {
+    for text in [
+        "fn f() { println!(\"here\"); }",
+        "fn f() { g(|| eprintln!()); }",
+        "fn f() { print!(\"\"); }",
+        "use std::io; fn f() { writeln!(io::stderr(), \"here\"); }",
+    ] {
+        assert_eq!(writes(&planted(&[("lib.rs", text)])).count(), 1, "{text}");
+    }
+    let innocent = "/// println!(\"here\")\nfn f() { let print = 1; writeln!(text, \"println!()\"); }";
+    assert_eq!(writes(&planted(&[("lib.rs", innocent)])).count(), 0);
+}
