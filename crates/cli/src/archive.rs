@@ -195,7 +195,7 @@ fn title(path: &Path, of_the_paper: bool) -> Option<String> {
     let edition = outputs::edition::Edition::default();
     let output =
         outputs::ALL.iter().find(|output| output.paths(&edition).iter().any(|found| found == within))?;
-    Some(output.title.to_owned())
+    Some(output.title.to_string())
 }
 
 /// The media type of a file by its ending.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 use grazing_claims::ledger::ClaimKind;
@@ -15,24 +15,39 @@ use grazing_source::Setting;
 mod values;
 
 use self::values::{column, curve, date, place, positive, size};
-use crate::examples;
 use crate::failure::Failure;
 use crate::outputs::edition::{Edition, Format, TextForm, WIDTHS};
 use crate::outputs::{self, edition};
 use crate::variation::{Part, Variation};
+use crate::{commands, examples};
 
-/// The text of files of the folder help/, one after the other.
 macro_rules! help {
-    ($($file:literal),+) => {
-        concat!($("\n", include_str!(concat!("../help/", $file, ".txt"))),+).trim_ascii()
+    ($($name:literal)+) => {
+        /// The commands, with what their help says after the options: `{grazing}` stands for the program.
+        const HELP: &[(&str, &str)] = &[$(($name, include_str!(concat!("../help/", $name, ".txt")))),+];
     };
+}
+
+help! {
+    "reproduce" "compare" "claims" "certify" "report" "unfold" "attractors" "explore" "identify" "merge" "new" "export"
+    "archive" "completions" "manual"
+}
+
+const EXIT_CODES: &str = include_str!("../help/exit_codes.txt");
+
+/// The command line with all its help, for a program that is started by this command.
+pub fn command_line(program: &str) -> clap::Command {
+    let whole = Arguments::command().after_long_help(EXIT_CODES.trim_ascii());
+    HELP.iter().fold(whole, |whole, (name, help)| {
+        let help = commands::filled(&format!("{help}\n{EXIT_CODES}"), program);
+        whole.mut_subcommand(name, |command| command.after_long_help(help.trim_ascii().to_owned()))
+    })
 }
 
 /// Recomputes the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
-#[command(after_long_help = help!("exit_codes"), max_term_width = 80)]
-#[command(long_about = help!("about"))]
+#[command(long_about = include_str!("../help/about.txt").trim_ascii(), max_term_width = 80)]
 pub struct Arguments {
     /// The subcommand.
     #[command(subcommand)]
@@ -43,49 +58,34 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Compute all figures and tables, or check the existing ones
-    #[command(after_long_help = help!("reproduce", "exit_codes"))]
     Reproduce(Reproduce),
     /// Compare values with the published ones, or curves with another program's
-    #[command(after_long_help = help!("compare", "exit_codes"))]
     Compare(Compare),
     /// Test the claims of the paper, label by label
-    #[command(after_long_help = help!("claims", "exit_codes"))]
     Claims(Claims),
     /// Prove what Figure 7 shows and write a certificate
-    #[command(after_long_help = help!("certify", "exit_codes"))]
     Certify(Certify),
     /// Write all results on one page, to be read in a browser
-    #[command(after_long_help = help!("report", "exit_codes"))]
     Report(Report),
     /// Find and unfold resonant grazing bifurcations of an oscillator
-    #[command(after_long_help = help!("unfold", "exit_codes"))]
     Unfold(Unfold),
     /// Map the attractors over the window of Figure 7
-    #[command(after_long_help = help!("attractors", "exit_codes"))]
     Attractors(Attractors),
     /// Explore the diagram of an oscillator in a browser
-    #[command(after_long_help = help!("explore", "exit_codes"))]
     Explore(Explore),
     /// Identify constants of an oscillator from measurements
-    #[command(after_long_help = help!("identify", "exit_codes"))]
     Identify(Identify),
     /// Join the parts of a family or a map computed with `--part`
-    #[command(after_long_help = help!("merge", "exit_codes"))]
     Merge(Merge),
     /// Write the description of an oscillator, to be edited
-    #[command(after_long_help = help!("new", "exit_codes"))]
     New(New),
     /// Write a problem for AUTO-07p that starts at a periodic solution
-    #[command(after_long_help = help!("export", "exit_codes"))]
     Export(Export),
     /// Pack results and their sources for an archive
-    #[command(after_long_help = help!("archive", "exit_codes"))]
     Archive(Archive),
     /// Print a script that completes commands and options in a shell
-    #[command(after_long_help = help!("completions", "exit_codes"))]
     Completions(Completions),
     /// Write manual pages, one for each command
-    #[command(after_long_help = help!("manual", "exit_codes"))]
     Manual(Manual),
 }
 
@@ -460,7 +460,7 @@ fn kinds() -> impl Iterator<Item = PossibleValue> {
 
 /// The names of outputs, with their titles.
 fn output_names() -> impl Iterator<Item = PossibleValue> {
-    outputs::ALL.iter().map(|output| PossibleValue::new(output.name).help(output.title))
+    outputs::ALL.iter().map(|output| PossibleValue::new(output.name).help(output.title.to_string()))
 }
 
 fn claim_kinds() -> impl Iterator<Item = PossibleValue> {

@@ -14,6 +14,7 @@ use grazing_source::{Setting, Text};
 use serde::{Deserialize, Serialize};
 
 use crate::arguments;
+use crate::commands::CommandLine;
 use crate::failure::{Failure, computation};
 use crate::folder::{self, summary};
 use crate::layout::Layout;
@@ -113,7 +114,7 @@ pub(crate) fn run(arguments: &arguments::Attractors) -> Result<(), Failure> {
         Some(part) => {
             let made = part::made(part, work, records)?;
             terminal::say(&summary(&folder::written(&folder, &[made])?));
-            terminal::say_next(&part::next(part, &folder));
+            part::say_next(part, &folder);
             Ok(())
         }
         None => finish(&task, records, &folder, &edition, began),
@@ -154,7 +155,7 @@ fn finish(
     computed.notes.iter().for_each(|note| terminal::note(note));
     terminal::say(&format!("{counts}\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", began.elapsed().as_secs_f64()));
-    terminal::say_next(&format!("open {}", folder::first(&written)));
+    terminal::say_next(&CommandLine::of(&["open"]).with(folder::first(&written)));
     Ok(())
 }
 

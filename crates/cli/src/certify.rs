@@ -14,6 +14,7 @@ use grazing_reproduction::figures::beyond_proofs::statement;
 use grazing_unfold::progress::Progress as _;
 
 use crate::arguments::Certify;
+use crate::commands::CommandLine;
 use crate::failure::{Failure, computation};
 use crate::folder::{self, OutputFile};
 use crate::progress::Display;
@@ -91,7 +92,8 @@ pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
     }
     if !arguments.check {
         let check = project::root().unwrap_or_default().join(CERTIFICATE).join("check.py");
-        terminal::say_next(&format!("python3 {} {}", check.display(), folder.display()));
+        let command = CommandLine::of(&["python3"]).with(check.display()).with(folder.display());
+        terminal::say_next(&command);
     }
     let unshown = resonances.iter().filter(|resonance| !resonance.missing.is_empty()).count();
     match (share > 0.0, unshown) {
@@ -133,6 +135,7 @@ fn same(folder: &Path, file: &OutputFile) -> Result<(), Failure> {
     }
     let path = path.display();
     Err(Failure::check(format!(
-        "{path}: differs from what the code produces: write it again with `cargo xtask certify`"
+        "{path}: differs from what the code produces: write it again with `{}`",
+        CommandLine::own("certify")
     )))
 }

@@ -13,6 +13,7 @@ use grazing_reproduction::parameters::Parameters;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments::Claims;
+use crate::commands::CommandLine;
 use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
@@ -33,7 +34,8 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     if chosen.is_empty() {
         let wanted = arguments.labels.join(" ");
         return Err(Failure::input(format!(
-            "no claim matches {wanted}: labels are those of the paper, such as eq:gp or th:*; `cargo xtask claims` lists all"
+            "no claim matches {wanted}: labels are those of the paper, such as eq:gp or th:*; `{}` lists all",
+            CommandLine::own("claims")
         )));
     }
     let parameters = project::parameters(&arguments.parameters)?;

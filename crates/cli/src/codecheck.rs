@@ -6,6 +6,8 @@
 
 use askama::Template;
 use grazing_reproduction::Study;
+use grazing_results::Title;
+use grazing_results::title::{Place, without_ties};
 
 use crate::outputs::edition::Edition;
 use crate::outputs::{self, Output};
@@ -42,13 +44,13 @@ fn files(output: &Output<Study>) -> Vec<String> {
     paths.iter().map(|path| format!("figures/{}", path.display())).collect()
 }
 
-/// A title as a comment: `Figure 2: …` becomes `Figure 2 of manuscript: …`.
-fn comment(title: &str) -> String {
-    match title.split_once(": ") {
-        Some((figure, about)) if figure.starts_with("Figure ") => {
-            format!("{figure} of manuscript: {about}")
+/// A title as a comment, which says for a figure of the paper that it is one.
+fn comment(title: Title<&str>) -> String {
+    match title.place {
+        Place::Figure(number) => {
+            format!("Figure {number} of manuscript: {}", without_ties(title.words))
         }
-        _ => title.to_owned(),
+        _ => title.to_string(),
     }
 }
 

@@ -1,6 +1,8 @@
 //! Descriptions of oscillators to begin with: plain ones, and the examples of the repository, which are also available
 //! outside of it.
 
+use crate::commands;
+
 /// The folder of example oscillators, from the root of the repository.
 pub(crate) const EXAMPLES: &str = "examples";
 macro_rules! examples {
@@ -23,8 +25,15 @@ pub struct Kind {
     pub name: &'static str,
     /// A line about the oscillator that it describes.
     pub about: &'static str,
-    /// The text of the file.
-    pub text: &'static str,
+    /// The text of the file, with `{grazing}` for the command that starts the program.
+    template: &'static str,
+}
+
+impl Kind {
+    /// The text of the file, for a program that is started by this command.
+    pub fn text(&self, program: &str) -> String {
+        commands::filled(self.template, program)
+    }
 }
 
 /// The kinds that are not examples.
@@ -32,17 +41,17 @@ const PLAIN: [Kind; 3] = [
     Kind {
         name: "plain",
         about: "A mass on a spring beside a wall at x = 0, without units",
-        text: include_str!("new/plain.toml"),
+        template: include_str!("new/plain.toml"),
     },
     Kind {
         name: "moving-wall",
         about: "A mass over a table that shakes: the wall moves",
-        text: include_str!("new/moving-wall.toml"),
+        template: include_str!("new/moving-wall.toml"),
     },
     Kind {
         name: "si",
         about: "A rig in metres, kilograms and seconds, its stop at a distance",
-        text: include_str!("new/si.toml"),
+        template: include_str!("new/si.toml"),
     },
 ];
 
@@ -51,7 +60,7 @@ pub fn kinds() -> impl Iterator<Item = Kind> {
     let example = |(file, text): &(&'static str, &'static str)| Kind {
         name: file.trim_end_matches(".toml"),
         about: text.lines().find_map(|line| line.strip_prefix("name = \"")?.split('"').next()).unwrap_or(""),
-        text,
+        template: text,
     };
     PLAIN.into_iter().chain(EXAMPLE_FILES.iter().map(example))
 }

@@ -14,6 +14,7 @@ use grazing_results::branches::OneParameter;
 use tempfile::NamedTempFile;
 
 use crate::arguments;
+use crate::commands::{CommandLine, program};
 use crate::failure::{Failure, computation};
 use crate::folder::{self, OutputFile};
 use crate::oscillator::OscillatorFile;
@@ -37,8 +38,8 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let export: Export = Box::new(|seen, what, columns, _| {
         exported(seen, what, columns).map_err(|failure| failure.to_string())
     });
-    let server = Server::bind(arguments.port, Limits::default(), terminal::program(), examples, export)
-        .map_err(|reason| {
+    let server =
+        Server::bind(arguments.port, Limits::default(), program(), examples, export).map_err(|reason| {
             let port = arguments.port;
             Failure::input(format!(
                 "port {port} of this machine is not available: {reason}; choose another with --port"
@@ -75,7 +76,7 @@ fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Fail
         files.len(),
         folder = folder.display()
     ));
-    terminal::say_next(&format!("python3 -m http.server -d {}", folder.display()));
+    terminal::say_next(&CommandLine::of(&["python3", "-m", "http.server", "-d"]).with(folder.display()));
     Ok(())
 }
 
@@ -158,7 +159,7 @@ pub(crate) fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Fa
     let of = Path::new("oscillator.toml");
     let output = match figure {
         Figure::Plane(diagram, compared) => {
-            let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title);
+            let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title.owned());
             plane(of, name, names, diagram, called, width).map(|mut made| {
                 made.tables.extend(compared.iter().flat_map(|compared| compared.tables(names)));
                 made

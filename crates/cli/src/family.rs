@@ -17,6 +17,7 @@ use grazing_source::{nearest, suggestion};
 
 use crate::arguments;
 use crate::attractors::{self, MapWork};
+use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, summary};
 use crate::layout::Layout;
@@ -77,7 +78,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             };
             let made = part::made(part, FamilyWork { vary: arguments.vary.clone(), origin }, records)?;
             terminal::say(&summary(&folder::written(&folder, &[made])?));
-            terminal::say_next(&part::next(part, &folder));
+            part::say_next(part, &folder);
             Ok(())
         }
         None => {
@@ -240,7 +241,7 @@ fn finish(
     terminal::say(&listed(terminal::layout(), &of, plan));
     terminal::say(&format!("\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", task.began.elapsed().as_secs_f64()));
-    terminal::say_next(&format!("open {}", folder::first(&written)));
+    terminal::say_next(&CommandLine::of(&["open"]).with(folder::first(&written)));
     if of.family.incomplete > 0 {
         return Err(Failure::incomplete(format!(
             "{}: results are missing for {} members, see above; everything else is written",

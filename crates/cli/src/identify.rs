@@ -12,6 +12,7 @@ use grazing_results::{Names, Tables, brief};
 use grazing_source::{nearest, suggestion};
 
 use crate::arguments;
+use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, summary};
 use crate::layout::Layout;
@@ -100,9 +101,9 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
             fit.freedom
         )));
     }
-    let set =
-        identified.constants.iter().map(|row| format!(" --set {}={}", row.constant, brief(row.value, VALUE)));
-    terminal::say_next(&format!("cargo xtask unfold {}{}", file.display(), set.collect::<String>()));
+    let set = identified.constants.iter();
+    let set = set.map(|row| ("--set", format!("{}={}", row.constant, brief(row.value, VALUE))));
+    terminal::say_next(&CommandLine::own("unfold").with(file.display()).options(set));
     Ok(())
 }
 

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use clap::{Command, CommandFactory};
+use clap::Command;
 use clap_mangen::Man;
 
-use crate::arguments::{Arguments, Completions, Manual};
+use crate::arguments::{Completions, Manual, command_line};
+use crate::commands::INSTALLED;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::terminal;
@@ -13,8 +14,8 @@ use crate::terminal;
 /// Prints the script with which a shell completes commands and options.
 pub(crate) fn completions(arguments: &Completions) {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Arguments::command(), "grazing", &mut script);
-    terminal::say_coloured(&terminal::installed(&String::from_utf8_lossy(&script)));
+    clap_complete::generate(arguments.shell, &mut command_line(INSTALLED), INSTALLED, &mut script);
+    terminal::say_coloured(&String::from_utf8_lossy(&script));
 }
 
 /// Writes the manual pages, `grazing.1` and `grazing-COMMAND.1`.
@@ -22,7 +23,7 @@ pub(crate) fn completions(arguments: &Completions) {
 /// # Errors
 /// The folder cannot be written.
 pub(crate) fn manual(arguments: &Manual) -> Result<(), Failure> {
-    let mut program = Arguments::command();
+    let mut program = command_line(INSTALLED);
     program.build();
     let pages =
         std::iter::once(&program).chain(program.get_subcommands().filter(|it| it.get_name() != "help"));
@@ -41,6 +42,5 @@ fn page(command: &Command) -> Result<OutputFile, Failure> {
     manual
         .render(&mut content)
         .map_err(|reason| Failure::unwritten(format!("{}: {reason}", path.display())))?;
-    let content = terminal::installed(&String::from_utf8_lossy(&content)).into_bytes();
     Ok(OutputFile { path, content })
 }

@@ -93,33 +93,22 @@ impl Layout {
         if entries.is_empty() { entries } else { format!("\n{}{entries}", self.wrapped("", heading)) }
     }
 
-    /// A command after a mark; where it is longer than a line it goes on with `\`, as a shell reads it.
-    pub(crate) fn command(self, mark: &str, command: &str) -> String {
+    /// A command, in words, after a mark; where it is longer than a line it goes on with `\`, as a shell reads it.
+    pub(crate) fn command(self, mark: &str, words: impl Iterator<Item = String>) -> String {
         let (mut text, mut column) = (mark.to_owned(), shown(mark));
-        let mut words: Vec<String> = Vec::new();
-        for word in command.split(' ') {
-            match words.last_mut() {
-                // An option and its value stay together.
-                Some(last) if last.starts_with("--") && !last.contains(' ') => {
-                    last.push(' ');
-                    last.push_str(word);
-                }
-                _ => words.push(word.to_owned()),
-            }
-        }
-        for (number, word) in words.iter().enumerate() {
+        for (number, word) in words.enumerate() {
             // Room for the mark of a line that goes on.
-            if number > 0 && column + 1 + shown(word) + 2 > self.width {
+            if number > 0 && column + 1 + shown(&word) + 2 > self.width {
                 let _ = write!(text, " \\\n{:CONTINUED$}{word}", "");
-                column = CONTINUED + shown(word);
+                column = CONTINUED + shown(&word);
                 continue;
             }
             if number > 0 {
                 text.push(' ');
                 column += 1;
             }
-            text.push_str(word);
-            column += shown(word);
+            text.push_str(&word);
+            column += shown(&word);
         }
         text.push('\n');
         text
@@ -296,12 +285,12 @@ mod tests {
 
     #[test]
     fn a_long_command_goes_on_as_a_shell_reads_it() {
-        let command = "cargo xtask unfold beam.toml --set zeta=0.018 --set r=0.72";
-        let text = Layout::new(40).command("Next: ", command);
+        let words = ["grazing", "unfold", "beam.toml", "--set zeta=0.018", "--set r=0.72"];
+        let text = Layout::new(40).command("Next: ", words.into_iter().map(str::to_owned));
         assert!(text.lines().all(|line| line.chars().count() <= 40), "{text}");
         assert_eq!(
             text.replace("\\\n", "").split_whitespace().skip(1).collect::<Vec<_>>().join(" "),
-            command
+            words.join(" ")
         );
     }
 

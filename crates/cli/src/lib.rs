@@ -10,6 +10,7 @@ mod attractors;
 mod certify;
 mod claims;
 pub mod codecheck;
+pub mod commands;
 pub mod compare;
 mod data_page;
 pub mod examples;

@@ -216,8 +216,8 @@ impl Task<'_> {
 }
 
 /// The names of the outputs that [`paper()`] computes, each with its title.
-pub fn outputs_of_the_paper() -> impl Iterator<Item = (&'static str, &'static str)> {
-    paper::ALL.iter().map(|output| (output.name, output.title))
+pub fn outputs_of_the_paper() -> impl Iterator<Item = (&'static str, String)> {
+    paper::ALL.iter().map(|output| (output.name, output.title.to_string()))
 }
 
 /// A figure or table of the paper, or beyond it, computed like `reproduce` from the default

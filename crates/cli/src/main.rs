@@ -2,12 +2,13 @@
 
 use std::process::ExitCode;
 
-use clap::Parser;
-use grazing_cli::arguments::Arguments;
-use grazing_cli::{run, terminal};
+use clap::FromArgMatches;
+use grazing_cli::arguments::{Arguments, command_line};
+use grazing_cli::{commands, run, terminal};
 
 fn main() -> ExitCode {
-    let code = match Arguments::try_parse() {
+    let command = command_line(commands::program());
+    let code = match command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => match run(&arguments) {
             Ok(()) => 0,
             Err(failure) => {

@@ -5,6 +5,7 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use crate::arguments;
+use crate::commands::{self, CommandLine};
 use crate::examples::kinds;
 use crate::failure::Failure;
 use crate::terminal;
@@ -18,12 +19,12 @@ pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     let kind = kinds().find(|kind| kind.name == arguments.kind);
     let kind =
         kind.ok_or_else(|| Failure::input(format!("--kind {}: there is no such kind", arguments.kind)))?;
-    write_new(file, &terminal::as_started(kind.text))?;
+    write_new(file, &kind.text(commands::program()))?;
     let shown = file.display();
     terminal::say(&format!(
         "{shown} is written. Its comments explain every key; it can be unfolded as it is.\n"
     ));
-    terminal::say_next(&format!("edit it, then cargo xtask unfold {shown}"));
+    terminal::say_next_after("edit it, then ", &CommandLine::own("unfold").with(shown));
     Ok(())
 }
 

@@ -21,7 +21,7 @@ use grazing_reproduction::parameters::ParameterError;
 use grazing_results::columns::{
     C_PD, C_SN, LOOPS, PRIMARY_AT_GRAZING, RESONANCE_INDEX, S_MINUS, S_PLUS, SECONDARY_AT_RESONANCE,
 };
-use grazing_results::{Cell, Column, Table, TablePlan};
+use grazing_results::{Cell, Column, Table, TablePlan, Title};
 
 use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
@@ -36,14 +36,12 @@ pub struct Output<Source> {
     /// The name on the command line, or in messages.
     pub name: &'static str,
     /// The title, in one line.
-    pub title: &'static str,
+    pub title: Title<&'static str>,
     /// The label of the figure in the paper, or that of the table in LaTeX; empty where these
     /// depend on the source.
     pub label: &'static str,
     /// Whether the output has a figure.
     pub is_figure: bool,
-    /// Whether the output goes beyond the paper, to what it leaves open.
-    pub is_beyond: bool,
     /// The tables of the output.
     pub tables: &'static [TablePlan],
     /// The table that a document prints, and its columns, in an edition that has LaTeX.
@@ -97,9 +95,15 @@ pub(crate) struct Figure {
 
 impl Figure {
     /// A figure computed from the file `of`, which shows all rows of its tables.
-    pub(crate) fn new(of: &Path, file: String, title: String, sheet: Sheet, tables: &[&'static str]) -> Self {
+    pub(crate) fn new(
+        of: &Path,
+        file: String,
+        title: impl Into<Title>,
+        sheet: Sheet,
+        tables: &[&'static str],
+    ) -> Self {
         let label = Caption::label("fig", of, file.trim_end_matches(".svg"));
-        let caption = Caption { title, label, remark: String::new() };
+        let caption = Caption { title: title.into(), label, remark: String::new() };
         Self { file, sheet, caption, tables: tables.to_vec(), only: None }
     }
 }
@@ -108,7 +112,7 @@ impl<Source> Output<Source> {
     /// An output that needs no parameters.
     const fn new(
         name: &'static str,
-        title: &'static str,
+        title: Title<&'static str>,
         tables: &'static [TablePlan],
         compute: Computation<Source>,
     ) -> Self {
@@ -117,7 +121,6 @@ impl<Source> Output<Source> {
             title,
             label: "",
             is_figure: false,
-            is_beyond: false,
             tables,
             printed: None,
             check: |_| Ok(()),

@@ -11,8 +11,10 @@ use grazing_source::shortened;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
+use crate::terminal;
 use crate::variation::Part;
 use crate::versions;
 
@@ -82,10 +84,11 @@ pub(crate) fn path(Part { part, parts }: Part) -> PathBuf {
     Path::new(PARTS).join(format!("{part:0digits$}-of-{parts}.toml"))
 }
 
-/// What to do once a part is written into a folder.
-pub(crate) fn next(Part { parts, .. }: Part, folder: &Path) -> String {
-    let merge = format!("cargo xtask merge {}", folder.join(PARTS).join("*.toml").display());
-    if parts == 1 { merge } else { format!("once all {parts} parts are there, {merge}") }
+/// Says what to do once a part is written into a folder.
+pub(crate) fn say_next(Part { parts, .. }: Part, folder: &Path) {
+    let first = if parts == 1 { String::new() } else { format!("once all {parts} parts are there, ") };
+    let merge = CommandLine::own("merge").with_files(folder.join(PARTS).display(), "*.toml");
+    terminal::say_next_after(&first, &merge);
 }
 
 /// The first line of a part: the digest of all that follows.
@@ -121,9 +124,12 @@ pub(crate) fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> 
 
 /// Whether a file claims to be a part of such work.
 pub(crate) fn is_of<W: Divided>(path: &Path) -> bool {
-    let line = format!("of = \"{}\"", W::IS);
-    folder::read(path)
-        .is_ok_and(|content| content.split(|byte| *byte == b'\n').nth(2) == Some(line.as_bytes()))
+    #[derive(Deserialize)]
+    struct Claim {
+        of: String,
+    }
+    let content = folder::read(path).unwrap_or_default();
+    toml::from_slice::<Claim>(&content).is_ok_and(|claim| claim.of == W::IS)
 }
 
 impl<W: Divided> PartFile<W> {

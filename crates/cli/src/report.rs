@@ -12,9 +12,11 @@ use grazing_claims::ledger::Ledger;
 use grazing_report::{Counts, FileDigest, Manifest, Part, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
+use grazing_results::title::Place;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments::Report;
+use crate::commands::CommandLine;
 use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
@@ -43,7 +45,7 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     let written = write(&report, &folder, name)?;
     terminal::say(&summary(&report, &written));
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    terminal::say_next(&format!("open {}", written.display()));
+    terminal::say_next(&CommandLine::of(&["open"]).with(written.display()));
     report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
     if missing > 0 { Err(Failure::partial(missing, all)) } else { Ok(()) }
 }
@@ -112,9 +114,9 @@ fn assemble<'a>(
         missing.extend(computed.gaps.iter().map(|gap| format!("{}: shown, but {gap}", output.name)));
         digests
             .extend(files.iter().map(|file| FileDigest::of(file.path.display().to_string(), &file.content)));
-        let part = if output.is_beyond { &mut beyond } else { &mut of_the_paper };
+        let part = if output.title.place == Place::Beyond { &mut beyond } else { &mut of_the_paper };
         if computed.figures.is_empty() {
-            let (name, title) = (output.name.to_owned(), output.title.to_owned());
+            let (name, title) = (output.name.to_owned(), output.title.owned());
             part.tables.push(TableOutput { name, title, tables: computed.tables });
         } else {
             part.figures.extend(computed.entries());

@@ -11,6 +11,7 @@ use grazing_reproduction::{Coefficients, Study};
 use grazing_unfold::progress::{Progress, Silent};
 
 use crate::arguments::{ParameterFile, Reproduce};
+use crate::commands::CommandLine;
 use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, Differences, OutputFile, counted, summary};
@@ -257,7 +258,7 @@ impl OutputFolder {
 }
 
 /// What to do after a run that has written: look at the only figure, or read everything on one page.
-fn next(arguments: &Reproduce, outcome: &Outcome<'_>, folder: &Path) -> Option<String> {
+fn next(arguments: &Reproduce, outcome: &Outcome<'_>, folder: &Path) -> Option<CommandLine> {
     if arguments.check {
         return None;
     }
@@ -265,13 +266,13 @@ fn next(arguments: &Reproduce, outcome: &Outcome<'_>, folder: &Path) -> Option<S
         [output] if output.is_figure => {
             let edition = arguments.look.edition();
             let figure = edition.figure_paths(&output.figure_file()).next()?;
-            Some(format!("open {}", folder.join(figure).display()))
+            Some(CommandLine::of(&["open"]).with(folder.join(figure).display()))
         }
         [output] => {
             let table = output.paths(&Edition::default()).into_iter().next()?;
-            Some(format!("open {}", folder.join(table).display()))
+            Some(CommandLine::of(&["open"]).with(folder.join(table).display()))
         }
-        _ => Some(format!("cargo xtask report{}", parameter_options(&arguments.parameters))),
+        _ => Some(CommandLine::own("report").options(parameter_options(&arguments.parameters))),
     }
 }
 
@@ -302,7 +303,8 @@ fn verdict(study: &Study) -> String {
         return "The published values could not be compared.\n".to_owned();
     };
     let tally = Tally::of(&comparisons);
-    let more = if tally.is_complete() { "" } else { ": see `cargo xtask compare`" };
+    let more =
+        if tally.is_complete() { String::new() } else { format!(": see `{}`", CommandLine::own("compare")) };
     format!("{tally}{more}.\n")
 }
 
@@ -336,23 +338,19 @@ fn check(places: &[OutputFolder], arguments: &Reproduce, edition: &Edition) -> R
 }
 
 /// The command that writes the files of this check.
-fn mending_command(arguments: &Reproduce, edition: &Edition) -> String {
-    let mut command = "cargo xtask reproduce".to_owned();
-    for name in &arguments.only {
-        command.push_str(&format!(" --only {name}"));
-    }
-    command.push_str(&edition.options());
-    command.push_str(&parameter_options(&arguments.parameters));
-    if let Some(folder) = &arguments.output {
-        command.push_str(&format!(" --output {}", folder.display()));
-    }
-    command
+fn mending_command(arguments: &Reproduce, edition: &Edition) -> CommandLine {
+    let folder = arguments.output.iter().map(|folder| ("--output", folder.display()));
+    CommandLine::own("reproduce")
+        .options(arguments.only.iter().map(|name| ("--only", name)))
+        .options(edition.options())
+        .options(parameter_options(&arguments.parameters))
+        .options(folder)
 }
 
-/// The options that name these parameters, each with a space before.
-fn parameter_options(parameters: &ParameterFile) -> String {
-    let file = parameters.file.iter().map(|file| format!(" --parameters {}", file.display()));
-    file.chain(parameters.set.iter().map(|setting| format!(" --set '{setting}'"))).collect()
+/// The options that name these parameters.
+fn parameter_options(parameters: &ParameterFile) -> impl Iterator<Item = (&'static str, String)> {
+    let file = parameters.file.iter().map(|file| ("--parameters", file.display().to_string()));
+    file.chain(parameters.set.iter().map(|setting| ("--set", setting.to_string())))
 }
 
 #[cfg(test)]

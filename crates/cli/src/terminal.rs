@@ -10,6 +10,7 @@ use grazing_results::directs;
 use grazing_source::shortened;
 use terminal_size::{Width, terminal_size_of};
 
+use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::layout::Layout;
 
@@ -22,12 +23,18 @@ static OUTPUT_ERROR: Mutex<Option<io::Error>> = Mutex::new(None);
 ///
 /// Lines that are longer than the terminal is wide are wrapped between words.
 pub(crate) fn say(text: &str) {
-    say_coloured(&layout().fitted(&as_started(&shown(text))));
+    say_coloured(&layout().fitted(&shown(text)));
 }
 
-/// Writes the next thing to do, as the last line.
-pub(crate) fn say_next(step: &str) {
-    say_coloured(&layout().command("Next: ", &as_started(&shown(step))));
+/// Writes the next command to type, as the last line.
+pub(crate) fn say_next(command: &CommandLine) {
+    say_next_after("", command);
+}
+
+/// Writes what to do next: something, and then a command.
+pub(crate) fn say_next_after(first: &str, command: &CommandLine) {
+    let words = command.words().iter().map(|word| shown(word).into_owned());
+    say_coloured(&layout().command(&format!("Next: {first}"), words));
 }
 
 /// The width of the output stream: that of the terminal, or else COLUMNS, or else 80 columns.
@@ -40,7 +47,7 @@ pub(crate) fn layout() -> Layout {
 /// As [`say`], for a text that is laid out, with colours and without names that a user has given.
 pub(crate) fn say_coloured(text: &str) {
     let mut stream = io::stdout().lock();
-    if let Err(error) = stream.write_all(as_started(text).as_bytes()).and_then(|()| stream.flush())
+    if let Err(error) = stream.write_all(text.as_bytes()).and_then(|()| stream.flush())
         && error.kind() != io::ErrorKind::BrokenPipe
     {
         OUTPUT_ERROR.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
@@ -55,7 +62,7 @@ pub fn output_failure() -> Option<Failure> {
 
 /// Writes a message to the error stream: on one line, which is wrapped between words if the stream is a terminal.
 pub(crate) fn note(line: &str) {
-    let line = as_started(&cut(&shown(line)));
+    let line = cut(&shown(line));
     let line = match terminal_size_of(io::stderr()) {
         Some((Width(width), _)) => Layout::new(width.into()).fitted(&line),
         None => line,
@@ -73,27 +80,6 @@ pub(crate) fn last_note(line: &str, end: impl FnOnce() -> Infallible) -> ! {
 /// Whether the error stream is a terminal.
 pub(crate) fn is_watched() -> bool {
     io::stderr().is_terminal()
-}
-
-/// The command that starts the program in a clone, and so the one in all texts.
-const IN_A_CLONE: &str = "cargo xtask";
-
-/// The command that starts the installed program.
-const INSTALLED: &str = "grazing";
-
-/// The command that started this program: `cargo xtask`, which sets an environment variable, or `grazing`.
-pub(crate) fn program() -> &'static str {
-    env::var_os("GRAZING_BY_XTASK").map_or(INSTALLED, |_| IN_A_CLONE)
-}
-
-/// The text with its commands written as this program was started.
-pub(crate) fn as_started(text: &str) -> String {
-    text.replace(IN_A_CLONE, program())
-}
-
-/// The text with its commands as those of an installed program.
-pub(crate) fn installed(text: &str) -> String {
-    text.replace(IN_A_CLONE, INSTALLED)
 }
 
 /// The most characters of a word in a message: names of files and of constants can be of any length.

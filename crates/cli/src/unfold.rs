@@ -22,6 +22,7 @@ use grazing_results::place::AtPlace;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments;
+use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile, summary};
 use crate::limits::{self, Watch, ended};
@@ -194,7 +195,7 @@ impl Task {
         terminal::say(&format!("\n{}", summary(&written)));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
         if let Some((page, _)) = written.iter().find(|(path, _)| path.ends_with(PAGE)) {
-            terminal::say_next(&format!("open {page}"));
+            terminal::say_next(&CommandLine::of(&["open"]).with(page));
         }
         if met.is_some() {
             let outcome = "the unfinished parts are named above; everything else is written";

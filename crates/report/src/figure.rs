@@ -5,7 +5,7 @@ use askama::filters::Safe;
 use grazing_drawing::{POINTS_PER_MM, Sheet, style_sheet, unmarked};
 
 use crate::formula::prose;
-use crate::html::{Html, capitalised, csv_path, escape, rendered};
+use crate::html::{Html, capitalised, csv_path, rendered};
 use crate::oscillator::OscillatorEntry;
 use crate::outputs::FigureEntry;
 use crate::report::Report;
@@ -42,17 +42,16 @@ struct FigureSection<'a> {
 
 /// A figure of the paper.
 pub(crate) fn of_the_paper(report: &Report<'_>, figure: &FigureEntry) -> Html {
-    let heading = match figure.title.split_once(": ") {
-        Some((number, rest)) => {
-            format!("<span class=\"eyebrow\">{}</span> {}", escape(number), prose(&capitalised(rest)))
-        }
-        None => escape(&figure.title),
+    let words = prose(&capitalised(&figure.title.words));
+    let heading = match figure.title.before() {
+        Some(before) => format!("<span class=\"eyebrow\">{before}</span> {words}"),
+        None => words.0,
     };
     let shown = report.claims.iter().filter(|finding| finding.claim.figures.contains(&figure.name));
     let claims = shown.map(|finding| ledger::link(&finding.claim.label)).collect();
     rendered(&FigureSection {
         id: &figure.name,
-        label: &figure.title,
+        label: &figure.title.to_string(),
         heading: Safe(format!("<h3>{heading}</h3>")),
         sheet: &figure.sheet,
         links: [("Files", report.links(&own_files(figure), false)), ("Claims", claims)],
@@ -64,8 +63,8 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &FigureEntry) -> Html {
 pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &FigureEntry) -> Html {
     let id = format!("{}-{}", oscillator.anchor(), figure.name);
     rendered(&FigureSection {
-        label: &format!("{}: {}", oscillator.description.name(), unmarked(&figure.title)),
-        heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title)))),
+        label: &format!("{}: {}", oscillator.description.name(), unmarked(&figure.title.words)),
+        heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title.words)))),
         sheet: &figure.sheet,
         links: [("Files", report.links(&own_files(figure), true)), ("", Vec::new())],
         data: data::of_figure(figure),

@@ -1,5 +1,6 @@
 //! Formulas: LaTeX in, MathML out.
 
+use grazing_results::title::without_ties;
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
@@ -66,7 +67,7 @@ fn spaced_outside(mut text: String) -> String {
 /// source. In the words, `_` after a single letter lowers what follows, and `^` raises it.
 pub(crate) fn prose(text: &str) -> Html {
     let mut html = String::new();
-    for (index, piece) in text.split('$').enumerate() {
+    for (index, piece) in without_ties(text).split('$').enumerate() {
         if index % 2 == 0 {
             html.push_str(&with_code(piece));
         } else {
@@ -105,6 +106,7 @@ pub(crate) fn named(text: &str) -> Html {
 
 /// Words with names of quantities as in [`named`], and formulas between dollars.
 pub(crate) fn described(text: &str) -> Html {
+    let text = without_ties(text);
     let pieces = text.split('$').enumerate();
     Safe(
         pieces

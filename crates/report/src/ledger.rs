@@ -91,8 +91,8 @@ pub(crate) fn references(report: &Report<'_>, claim: &Claim) -> [(&'static str, 
 fn figure_link(report: &Report<'_>, name: &str) -> Html {
     Safe(match report.paper_figures().find(|figure| figure.name == name) {
         Some(figure) => {
-            let short = figure.title.split(':').next().unwrap_or(name);
-            format!("<a href=\"#{}\">{}</a>", escape(name), escape(short))
+            let short = figure.title.before().unwrap_or_else(|| name.to_owned());
+            format!("<a href=\"#{}\">{}</a>", escape(name), escape(&short))
         }
         None => escape(name),
     })

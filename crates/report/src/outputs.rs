@@ -1,15 +1,15 @@
 //! The outputs on the page: figures and tables.
 
 use grazing_drawing::Sheet;
-use grazing_results::Table;
+use grazing_results::{Table, Title};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FigureEntry {
     /// The name of the figure's files, as `fig07`.
     pub name: String,
-    /// The title, in one line: "Figure 7: two-parameter bifurcation diagram".
-    pub title: String,
+    /// The title.
+    pub title: Title,
     /// The drawing. Panels give the places of axes; without them the figure can only be zoomed.
     pub sheet: Sheet,
     /// The tables whose rows are drawn.
@@ -21,8 +21,8 @@ pub struct FigureEntry {
 pub struct TableOutput {
     /// The output's name, as `coefficients`.
     pub name: String,
-    /// The title, in one line.
-    pub title: String,
+    /// The title.
+    pub title: Title,
     /// The tables.
     pub tables: Vec<Table>,
 }

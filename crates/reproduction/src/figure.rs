@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use grazing_drawing::{DrawingError, Sheet, SheetWidth};
-use grazing_results::{TablePlan, Tables};
+use grazing_results::{TablePlan, Tables, Title};
 
 use crate::parameters::{FileSection, ParameterError};
 use crate::{Study, StudyError};
@@ -11,7 +11,7 @@ use crate::{Study, StudyError};
 /// The imports that the file of every figure uses.
 pub(crate) mod prelude {
     pub(crate) use grazing_drawing::{DrawingError, Sheet, SheetWidth};
-    pub(crate) use grazing_results::{TablePlan, Tables};
+    pub(crate) use grazing_results::{TablePlan, Tables, Title};
     pub(crate) use grazing_source::{Section, keys};
 
     pub(crate) use super::{PaperFigure, Remarks};
@@ -24,10 +24,8 @@ pub(crate) mod prelude {
 pub trait PaperFigure: FileSection + 'static {
     /// The label in the paper, or in LaTeX.
     const LABEL: &'static str;
-    /// Whether the figure answers a question that the paper leaves open.
-    const BEYOND: bool = false;
-    /// A title of one line.
-    const TITLE: &'static str;
+    /// The title, which says which figure of the paper it is, or that it goes beyond the paper.
+    const TITLE: Title<&'static str>;
     /// The tables of the figure, in the order of its contents.
     const TABLES: &'static [TablePlan];
     /// The keys to change if the figure cannot be computed.

@@ -38,9 +38,11 @@ pub mod plane;
 pub mod readings;
 pub mod space;
 mod table;
+pub mod title;
 
 pub use cell::{Cell, Stability, brief};
 pub use columns::Column;
 pub use frame::{Frame, span};
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol, with_unit};
 pub use table::{Row, Table, TablePlan, Tables};
+pub use title::Title;

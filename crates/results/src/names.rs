@@ -166,6 +166,11 @@ impl Names {
         Self { symbols, ..Self::new("amplitude", "omega") }
     }
 
+    /// The columns of the two parameters, unless the figures of the paper have them, whose axes say which they are.
+    pub fn columns(&self) -> Option<[String; 2]> {
+        (*self != Self::of_the_paper()).then(|| [self.primary.clone(), self.secondary.clone()])
+    }
+
     /// The two parameters in label markup: their symbols, or their names where there are none.
     pub fn shown(&self) -> [String; 2] {
         let [primary, _, secondary] = &self.symbols;

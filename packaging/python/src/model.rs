@@ -117,7 +117,7 @@ pub(crate) fn reproduce(
 
 /// The outputs of `reproduce`: names and titles.
 #[pyfunction]
-pub(crate) fn outputs() -> Vec<(&'static str, &'static str)> {
+pub(crate) fn outputs() -> Vec<(&'static str, String)> {
     library::outputs_of_the_paper().collect()
 }
 

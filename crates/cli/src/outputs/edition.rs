@@ -90,22 +90,22 @@ impl Edition {
         self.formats.contains(&format)
     }
 
-    /// The options that select the edition, each with a space before; none for the default edition.
-    pub(crate) fn options(&self) -> String {
-        let mut options = String::new();
+    /// The options that select the edition; none for the default one.
+    pub(crate) fn options(&self) -> Vec<(&'static str, String)> {
+        let mut options = Vec::new();
         if self.formats != [Format::Svg] {
             let names: Vec<String> = self.formats.iter().map(|format| format.name()).collect();
-            options.push_str(&format!(" --format {}", names.join(",")));
+            options.push(("--format", names.join(",")));
         }
         // The first width is the default, which needs no option.
         for (word, ..) in WIDTHS[1..].iter().filter(|(_, width, _)| *width == self.columns) {
-            options.push_str(&format!(" --columns {word}"));
+            options.push(("--columns", (*word).to_owned()));
         }
         if self.has(Format::Png) && self.dpi != Edition::default().dpi {
-            options.push_str(&format!(" --dpi {}", self.dpi));
+            options.push(("--dpi", self.dpi.to_string()));
         }
         if self.text == TextForm::Outlines {
-            options.push_str(" --text outlines");
+            options.push(("--text", "outlines".to_owned()));
         }
         options
     }

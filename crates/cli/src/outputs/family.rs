@@ -4,6 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use grazing_drawing::{SheetWidth, draw_family};
+use grazing_results::Title;
 use grazing_results::family::Family;
 use grazing_results::{Names, Tables};
 
@@ -23,7 +24,12 @@ pub(crate) struct NamedFamily {
 /// The figure, if there is room for it on one sheet, and the tables of a family.
 pub(crate) const FAMILY: Output<NamedFamily> = Output {
     is_figure: true,
-    ..Output::new("family", "resonant grazing bifurcations of a family", Family::TABLES, compute)
+    ..Output::new(
+        "family",
+        Title::plain("resonant grazing bifurcations of a family"),
+        Family::TABLES,
+        compute,
+    )
 };
 
 fn compute(
@@ -37,7 +43,7 @@ fn compute(
     let file = output.figure_file();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let file = sheet_file(&file, number, count);
-        Figure::new(&of.file, file, output.title.to_owned(), sheet, &output.table_names())
+        Figure::new(&of.file, file, output.title.owned(), sheet, &output.table_names())
     });
     Ok(ComputedOutput::new(figures.collect(), of.family.tables(&of.names)))
 }

@@ -1,11 +1,13 @@
 //! LaTeX: tables for booktabs, and a snippet that includes figures and tables.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use askama::Template;
 use grazing_drawing::Sheet;
 use grazing_results::columns::{LOOPS, RESONANCE_INDEX};
-use grazing_results::{Cell, Column, GREEK, Table, raised, symbol};
+use grazing_results::title::{Part, Place, parts};
+use grazing_results::{Cell, Column, GREEK, Table, Title, raised, symbol};
 
 use crate::folder::{self, OutputFile};
 use crate::template::rendered;
@@ -112,8 +114,8 @@ fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
 /// The caption of a figure or a table in a document.
 #[derive(Clone, Debug)]
 pub(crate) struct Caption {
-    /// The title, in one line.
-    pub(crate) title: String,
+    /// The title.
+    pub(crate) title: Title,
     /// The label by which the document refers to the figure or table.
     pub(crate) label: String,
     /// A sentence after all others, with a space before it.
@@ -134,10 +136,10 @@ impl Caption {
 pub(crate) struct Float {
     environment: &'static str,
     body: String,
-    caption: String,
+    caption: Vec<Piece>,
     label: String,
-    /// The name that other captions use, such as `Figure 7`.
-    number: Option<String>,
+    /// The number of the figure in the paper, by which other captions mention it.
+    number: Option<u32>,
     /// The numbers of each resonance, under names such as `c_sn_p2_n1`.
     numbers: Vec<(String, String)>,
 }
@@ -146,12 +148,16 @@ impl Float {
     /// A figure, by the file of its SVG, with the description of the sheet in the caption.
     pub(crate) fn figure(file: &str, sheet: &Sheet, caption: &Caption) -> Self {
         let pdf = Path::new(file).with_extension("pdf");
-        let (number, title) = sentence(&caption.title);
-        let text = format!("{title} {}", prose(&sheet.description));
+        let number = match caption.title.place {
+            Place::Figure(number) => Some(number),
+            _ => None,
+        };
+        let text = [&sentence(&caption.title), &*sheet.description, caption.remark.trim_start()];
+        let text = text.into_iter().filter(|text| !text.is_empty());
         Self {
             environment: if sheet.size.0 > COLUMN { "figure*" } else { "figure" },
             body: format!("\\includegraphics{{\\grazingfiles {}}}", pdf.display()),
-            caption: format!("{}{}", text.trim_end(), caption.remark),
+            caption: prose(&text.collect::<Vec<_>>().join(" ")),
             label: caption.label.clone(),
             number,
             numbers: Vec::new(),
@@ -167,12 +173,12 @@ impl Float {
         let float = Self {
             environment: "table*",
             body: format!("\\input{{\\grazingfiles {}}}", path.display()),
-            caption: sentence(&caption.title).1,
+            caption: prose(&sentence(&caption.title)),
             label: caption.label.clone(),
             number: None,
             numbers: numbers(table, printed),
         };
-        let content = tabular(table, printed, &caption.title).into_bytes();
+        let content = tabular(table, printed, &caption.title.to_string()).into_bytes();
         Some((float, OutputFile { path, content }))
     }
 }
@@ -225,25 +231,41 @@ pub(crate) fn files<'a>(
     ]
 }
 
-/// The number in a title, and the rest as a sentence: LaTeX numbers captions itself.
-fn sentence(title: &str) -> (Option<String>, String) {
-    let (number, text) = match title.split_once(": ") {
-        Some((number, text)) if number.starts_with("Figure ") => (Some(number.to_owned()), text),
-        _ => (None, title),
+/// A title as a sentence, without its number: LaTeX numbers captions itself.
+fn sentence<Words: AsRef<str>>(title: &Title<Words>) -> String {
+    let words = match (title.place, title.before()) {
+        (Place::Beyond, Some(before)) => Cow::Owned(format!("{before}: {}", title.words.as_ref())),
+        _ => Cow::Borrowed(title.words.as_ref()),
     };
-    let mut letters = text.chars();
+    let mut letters = words.chars();
     let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
-    (number, format!("{}.", prose(&format!("{first}{}", letters.as_str()))))
+    format!("{first}{}.", letters.as_str())
+}
+
+/// A piece of a caption.
+#[derive(Debug, PartialEq)]
+enum Piece {
+    /// LaTeX.
+    Text(String),
+    /// The mention of a figure of the paper.
+    Figure(u32),
 }
 
 /// Text for LaTeX, with names of quantities as symbols: x, tau, g_p. Formulas between dollars stay.
-fn prose(text: &str) -> String {
+fn prose(text: &str) -> Vec<Piece> {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let piece = |(index, piece): (usize, &str)| match index % 2 {
-        0 => with_symbols(piece),
-        _ => format!("${piece}$"),
+    let piece = |part| match part {
+        Part::Words(words) => Piece::Text(with_symbols(words)),
+        Part::Figure(number) => Piece::Figure(number),
     };
-    text.split('$').enumerate().map(piece).collect()
+    let mut pieces = Vec::new();
+    for (index, between) in text.split('$').enumerate() {
+        match index % 2 {
+            0 => pieces.extend(parts(between).map(piece)),
+            _ => pieces.push(Piece::Text(format!("${between}$"))),
+        }
+    }
+    pieces
 }
 
 fn with_symbols(text: &str) -> String {
@@ -269,15 +291,18 @@ fn with_symbols(text: &str) -> String {
     set
 }
 
-/// The caption with references in place of the numbers of figures that are included.
-pub(crate) fn referring(caption: &str, floats: &[Float]) -> String {
-    let mut figures: Vec<(&str, &str)> =
-        floats.iter().filter_map(|float| Some((float.number.as_deref()?, float.label.as_str()))).collect();
-    // The longest first, so that Figure 10 is not taken for Figure 1.
-    figures.sort_by_key(|(number, _)| std::cmp::Reverse(number.len()));
-    figures.into_iter().fold(caption.to_owned(), |caption, (number, label)| {
-        caption.replace(number, &format!("Figure~\\ref{{{label}}}"))
-    })
+impl Float {
+    /// The caption, which refers to the figures of the paper that are among the floats by their labels.
+    pub(crate) fn caption_among(&self, floats: &[Self]) -> String {
+        let piece = |piece: &Piece| match piece {
+            Piece::Text(text) => text.clone(),
+            Piece::Figure(number) => match floats.iter().find(|float| float.number == Some(*number)) {
+                Some(float) => format!("Figure~\\ref{{{}}}", float.label),
+                None => format!("Figure {number}"),
+            },
+        };
+        self.caption.iter().map(piece).collect()
+    }
 }
 
 /// Text with the characters that LaTeX reserves escaped, and mathematical signs as commands.
@@ -371,25 +396,32 @@ mod tests {
 
     #[test]
     fn captions_are_sentences_without_the_number() {
-        let number = Some("Figure 7".to_owned());
-        assert_eq!(sentence("Figure 7: the diagram of g_p"), (number, "The diagram of $g_{p}$.".to_owned()));
-        assert_eq!(sentence("Rows: ab_c (tau < x)"), (None, r"Rows: ab\_c ($\tau$ $<$ $x$).".to_owned()));
+        let caption = |title: Title| match &*prose(&sentence(&title)) {
+            [Piece::Text(text)] => text.clone(),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(caption(Title::figure(7, "the diagram of g_p").owned()), "The diagram of $g_{p}$.");
+        assert_eq!(caption(Title::plain("rows: ab_c (tau < x)").owned()), r"Rows: ab\_c ($\tau$ $<$ $x$).");
+        assert_eq!(caption(Title::beyond("the rest").owned()), "Beyond the paper: the rest.");
+        // What a user writes is no number.
+        assert_eq!(caption("Figure 3: my rig".to_owned().into()), "Figure 3: my rig.");
     }
 
     #[test]
     fn captions_refer_to_figures_by_their_labels() {
-        let float = |number: &str, label: &str| Float {
+        let float = |number: u32, label: &str, caption: &str| Float {
             environment: "figure",
             body: String::new(),
-            caption: String::new(),
+            caption: prose(caption),
             label: label.to_owned(),
-            number: Some(number.to_owned()),
+            number: Some(number),
             numbers: Vec::new(),
         };
-        let floats = [float("Figure 1", "fig:one"), float("Figure 10", "fig:ten")];
+        let text = "Figure~10, not Figure~1. With Figure~3, which is elsewhere, and a user's Figure 1";
+        let floats = [float(1, "fig:one", text), float(10, "fig:ten", "")];
         assert_eq!(
-            referring("As Figure 10, not Figure 1.", &floats),
-            r"As Figure~\ref{fig:ten}, not Figure~\ref{fig:one}."
+            floats[0].caption_among(&floats),
+            r"Figure~\ref{fig:ten}, not Figure~\ref{fig:one}. With Figure 3, which is elsewhere, and a user's Figure 1"
         );
     }
 
@@ -412,7 +444,9 @@ mod tests {
     #[test]
     fn every_title_of_the_registry_can_be_set_by_any_latex() {
         for output in ALL {
-            assert!(sentence(output.title).1.is_ascii(), "a sign of `{}` has no command yet", output.title);
+            let is_set = |piece: &Piece| !matches!(piece, Piece::Text(text) if !text.is_ascii());
+            let sentence = prose(&sentence(&output.title));
+            assert!(sentence.iter().all(is_set), "a sign of `{}` has no command yet", output.title);
         }
     }
 }

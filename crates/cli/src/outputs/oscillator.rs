@@ -10,6 +10,7 @@ use grazing_drawing::{
     DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
 };
+use grazing_results::Title;
 use grazing_results::branches::{OneParameter, Orbits, Readings};
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
@@ -94,52 +95,70 @@ const READINGS: &str = "readings";
 
 /// All outputs: tables in the order of the page that explains them, and one-parameter diagrams last.
 pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
-    Output::new("grazing", "the grazing curve", AlongGrazing::TABLES, |_, of, _| {
+    Output::new("grazing", Title::plain("the grazing curve"), AlongGrazing::TABLES, |_, of, _| {
         Ok(ComputedOutput::new(Vec::new(), of.unfolded.along_grazing().tables(of.names())))
     }),
     TWO_PARAMETERS,
-    Output::new(OWN, "own curves", OwnCurves::TABLES, |_, of, _| {
+    Output::new(OWN, Title::plain("own curves"), OwnCurves::TABLES, |_, of, _| {
         let own = OwnCurves { own: of.diagram.own.clone() };
         Ok(ComputedOutput::new(Vec::new(), own.tables(of.names())))
     }),
     Output {
         printed: Some(COEFFICIENT_COLUMNS),
-        ..Output::new("resonances", "resonances", AtResonances::TABLES, |_, of: &AnalysedOscillator, _| {
-            let title = format!("Coefficients of {}", of.description.name().replace('$', ""));
-            let label = Caption::label("tab", &of.file, COEFFICIENT_COLUMNS.0);
-            Ok(ComputedOutput {
-                tables: of.unfolded.at_resonances().tables(of.names()),
-                printed: vec![(COEFFICIENT_COLUMNS, Caption { title, label, remark: String::new() })],
-                ..ComputedOutput::default()
-            })
-        })
+        ..Output::new(
+            "resonances",
+            Title::plain("resonances"),
+            AtResonances::TABLES,
+            |_, of: &AnalysedOscillator, _| {
+                let title = format!("Coefficients of {}", of.description.name().replace('$', ""));
+                let label = Caption::label("tab", &of.file, COEFFICIENT_COLUMNS.0);
+                Ok(ComputedOutput {
+                    tables: of.unfolded.at_resonances().tables(of.names()),
+                    printed: vec![(
+                        COEFFICIENT_COLUMNS,
+                        Caption { title: title.into(), label, remark: String::new() },
+                    )],
+                    ..ComputedOutput::default()
+                })
+            },
+        )
     },
     Output {
         is_figure: true,
         ..Output::new(
             "magnifications",
-            "magnifications about the resonances",
+            Title::plain("magnifications about the resonances"),
             Magnifications::TABLES,
             magnifications,
         )
     },
     STRAIGHTENED_CURVES,
-    Output::new(READINGS, "readings of one-parameter diagrams", Readings::TABLES, |_, of, _| {
-        let readings =
-            |of: &OneParameter| Readings { readings: of.readings.clone(), motion: of.motion.clone() };
-        let all = of.unfolded.diagrams.iter().map(readings);
-        let all = all.reduce(|mut all, mut one| {
-            all.readings.append(&mut one.readings);
-            all.motion.append(&mut one.motion);
-            all
-        });
-        Ok(ComputedOutput::new(Vec::new(), all.map_or(Vec::new(), |all| all.tables(of.names()))))
-    }),
+    Output::new(
+        READINGS,
+        Title::plain("readings of one-parameter diagrams"),
+        Readings::TABLES,
+        |_, of, _| {
+            let readings =
+                |of: &OneParameter| Readings { readings: of.readings.clone(), motion: of.motion.clone() };
+            let all = of.unfolded.diagrams.iter().map(readings);
+            let all = all.reduce(|mut all, mut one| {
+                all.readings.append(&mut one.readings);
+                all.motion.append(&mut one.motion);
+                all
+            });
+            Ok(ComputedOutput::new(Vec::new(), all.map_or(Vec::new(), |all| all.tables(of.names()))))
+        },
+    ),
     ONE_PARAMETER,
-    Output::new(MEASURED, "measurements compared with the diagram", Comparison::TABLES, |_, of, _| {
-        let tables = of.compared.as_ref().map(|compared| compared.tables(of.names()));
-        Ok(ComputedOutput::new(Vec::new(), tables.unwrap_or_default()))
-    }),
+    Output::new(
+        MEASURED,
+        Title::plain("measurements compared with the diagram"),
+        Comparison::TABLES,
+        |_, of, _| {
+            let tables = of.compared.as_ref().map(|compared| compared.tables(of.names()));
+            Ok(ComputedOutput::new(Vec::new(), tables.unwrap_or_default()))
+        },
+    ),
     PLACES,
 ];
 
@@ -147,7 +166,7 @@ const MEASURED: &str = "measured";
 
 /// Motion at the places that were asked for.
 pub(crate) const PLACES: Output<AnalysedOscillator> =
-    Output::new("places", "motion at a place", AtPlace::TABLES, |output, of, width| {
+    Output::new("places", Title::plain("motion at a place"), AtPlace::TABLES, |output, of, width| {
         places(output, &of.file, (of.description.name(), of.names()), &of.places, width)
     });
 
@@ -183,19 +202,28 @@ pub(crate) fn places(
 /// The two-parameter diagram.
 pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
     is_figure: true,
-    ..Output::new("diagram", "two-parameter bifurcation diagram", PlaneDiagram::TABLES, two_parameters)
+    ..Output::new(
+        "diagram",
+        Title::plain("two-parameter bifurcation diagram"),
+        PlaneDiagram::TABLES,
+        two_parameters,
+    )
 };
 
 /// One-parameter diagrams.
-pub(crate) const ONE_PARAMETER: Output<AnalysedOscillator> =
-    Output::new(DIAGRAMS, "one-parameter bifurcation diagram", OneParameter::TABLES, one_parameter);
+pub(crate) const ONE_PARAMETER: Output<AnalysedOscillator> = Output::new(
+    DIAGRAMS,
+    Title::plain("one-parameter bifurcation diagram"),
+    OneParameter::TABLES,
+    one_parameter,
+);
 
 /// Curves in straightened coordinates.
 pub(crate) const STRAIGHTENED_CURVES: Output<AnalysedOscillator> = Output {
     is_figure: true,
     ..Output::new(
         STRAIGHTENED,
-        "curves that leave resonances in straightened coordinates",
+        Title::plain("curves that leave resonances in straightened coordinates"),
         StraightenedCurves::TABLES,
         straightened,
     )
@@ -210,7 +238,7 @@ fn two_parameters(
 ) -> Computed {
     let file = output.figure_file();
     let look = look(of.description.figure(), width);
-    plane(&of.file, of.description.name(), of.names(), &of.diagram, (file, output.title), look)
+    plane(&of.file, of.description.name(), of.names(), &of.diagram, (file, output.title.owned()), look)
 }
 
 /// The look of figures that a file asks for.
@@ -236,7 +264,7 @@ pub(crate) fn plane(
     name: &str,
     names: &Names,
     diagram: &PlaneDiagram,
-    (file, shown): (String, &str),
+    (file, shown): (String, Title),
     look: impl Into<Look>,
 ) -> Computed {
     let (look, tables) = (look.into(), ["points", "curves"]);
@@ -252,7 +280,7 @@ pub(crate) fn plane(
     let heading =
         Heading { name: "diagram", title: &title, description: &description, names, tables: &tables };
     let sheet = draw_diagram(diagram, &heading, look)?;
-    let figure = Figure::new(of, file, shown.to_owned(), sheet, &tables);
+    let figure = Figure::new(of, file, shown, sheet, &tables);
     Ok(ComputedOutput::new(vec![figure], diagram.tables(names)))
 }
 
@@ -274,8 +302,8 @@ fn magnifications(
     let count = sheets.len();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let title = match count {
-            1 => output.title.to_owned(),
-            _ => format!("{}, sheet {number} of {count}", output.title),
+            1 => output.title.owned(),
+            _ => format!("{}, sheet {number} of {count}", output.title).into(),
         };
         let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
         let file = sheet_file(MAGNIFICATIONS, number, count);
@@ -317,7 +345,7 @@ pub(crate) fn straightened_about(
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
         let file = sheet_file(&output.figure_file(), number, count);
-        let figure = Figure::new(of, file, output.title.to_owned(), sheet, &output.table_names());
+        let figure = Figure::new(of, file, output.title.owned(), sheet, &output.table_names());
         Figure { only: Some((columns::PANEL, panels)), ..figure }
     });
     Ok(ComputedOutput::new(figures.collect(), curves.tables(names)))

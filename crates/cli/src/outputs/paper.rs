@@ -10,7 +10,7 @@ use grazing_reproduction::{
     CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction, paper_figures,
 };
 use grazing_results::plane::StraightenedCurves;
-use grazing_results::{Names, Tables};
+use grazing_results::{Names, Tables, Title};
 
 use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
@@ -25,7 +25,6 @@ pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
         is_figure: true,
-        is_beyond: F::BEYOND,
         check: |study| study.parameters.section::<F>().map(drop),
         keys: F::REMEDY,
         ..Output::new(F::NAME, F::TITLE, F::TABLES, |output, study: &Study, width| {
@@ -66,7 +65,7 @@ pub(crate) const COEFFICIENTS: Output<Study> = Output {
     keys: Figure7::REMEDY,
     ..Output::new(
         "coefficients",
-        "Coefficients at all resonances of Figure 7",
+        Title::plain("Coefficients at all resonances of Figure~7"),
         CoefficientTable::TABLES,
         |output, study: &Study, _| {
             let table = study.coefficients()?;
@@ -87,7 +86,7 @@ const STRAIGHTENED: Output<Study> = Output {
     keys: Figure7::REMEDY,
     ..Output::new(
         "straightened",
-        "Curves of Figure 7 in straightened coordinates",
+        Title::plain("Curves of Figure~7 in straightened coordinates"),
         StraightenedCurves::TABLES,
         |_, study: &Study, _| {
             Ok(ComputedOutput::new(Vec::new(), study.straightened()?.tables(&Names::of_the_paper())))
@@ -100,7 +99,7 @@ const THEOREMS: Output<Study> = Output {
     label: "tab:theorems",
     ..Output::new(
         "theorems",
-        "Theorems 2.2 to 2.5 compared with continuation and simulation",
+        Title::plain("Theorems 2.2 to 2.5 compared with continuation and simulation"),
         TheoremsInAction::TABLES,
         |_, study: &Study, _| {
             let tables = study.theorems_in_action()?.tables(&Names::of_the_paper());
@@ -111,12 +110,11 @@ const THEOREMS: Output<Study> = Output {
 
 const LIMITS: Output<Study> = Output {
     label: "tab:limits",
-    is_beyond: true,
     check: |study| study.parameters.section::<Figure7>().map(drop),
     keys: Figure7::REMEDY,
     ..Output::new(
         "beyond_limits",
-        "Beyond the paper: the limit map at the resonances of Figure 7",
+        Title::beyond("the limit map at the resonances of Figure~7"),
         LimitTable::TABLES,
         |_, study: &Study, _| {
             Ok(ComputedOutput::new(Vec::new(), study.limits()?.tables(&Names::of_the_paper())))
@@ -127,7 +125,7 @@ const LIMITS: Output<Study> = Output {
 impl Output<Study> {
     /// The caption of the output in a document.
     fn caption(&self) -> Caption {
-        Caption { title: self.title.to_owned(), label: self.label.to_owned(), remark: String::new() }
+        Caption { title: self.title.owned(), label: self.label.to_owned(), remark: String::new() }
     }
 }
 

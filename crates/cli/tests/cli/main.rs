@@ -12,6 +12,7 @@ mod archive;
 mod attractors;
 mod bad_input;
 mod claims;
+mod commands;
 mod compare;
 mod examples;
 mod explore;

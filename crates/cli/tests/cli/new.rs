@@ -41,7 +41,8 @@ fn the_plain_kind_can_be_unfolded() {
 #[test]
 fn the_kind_with_a_moving_wall_can_be_unfolded() {
     assert_begins("moving-wall");
-    let description = Description::parse(kind("moving-wall").text, "my.toml").expect("it is right");
+    let description =
+        Description::parse(&kind("moving-wall").text("grazing"), "my.toml").expect("it is right");
     assert_eq!(description.wall().side(), Side::Above);
     assert_eq!(description.texts().wall, "a*cos(omega*t)");
 }
@@ -54,14 +55,16 @@ fn the_kind_in_si_units_can_be_unfolded() {
 #[test]
 fn every_kind_is_tried_or_an_example() {
     let plain = kinds().filter(|kind| {
-        Description::parse(kind.text, "my.toml").expect("it is right").name().starts_with("My ")
+        Description::parse(&kind.text("grazing"), "my.toml").expect("it is right").name().starts_with("My ")
     });
     assert_eq!(plain.map(|kind| kind.name).collect::<Vec<_>>(), ["plain", "moving-wall", "si"]);
     let folder = empty_folder();
     assert_eq!(grazing(folder.path(), &["new", "my.toml", "--kind", "duffing"]).code, Some(0));
     let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
     assert_eq!(text, include_str!("../../../../examples/duffing.toml"));
-    let name = |kind: &Kind| Description::parse(kind.text, "my.toml").expect("it is right").name().to_owned();
+    let name = |kind: &Kind| {
+        Description::parse(&kind.text("grazing"), "my.toml").expect("it is right").name().to_owned()
+    };
     assert!(kinds().skip(3).all(|kind| kind.about == name(&kind)));
 }
 
@@ -70,7 +73,7 @@ fn plain_is_what_is_written_if_no_kind_is_asked_for() {
     let folder = empty_folder();
     assert_eq!(grazing(folder.path(), &["new", "my.toml"]).code, Some(0));
     let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
-    assert_eq!(text, kind("plain").text);
+    assert_eq!(text, kind("plain").text("cargo xtask"));
 }
 
 #[test]

@@ -65,7 +65,8 @@ pub fn draw_diagram(
     let usual = (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM);
     let canvas = Canvas::new(width, look.size_mm[1].unwrap_or(usual))?;
     let bounds = bounds(&canvas, &frame, up)?;
-    let panel = Panel { tables: heading.tables, names: Some(names), ..Panel::new(&canvas, frame, bounds) };
+    let panel =
+        Panel { tables: heading.tables, columns: names.columns(), ..Panel::new(&canvas, frame, bounds) };
     let mut labels = Labels::new(&canvas, bounds);
     labels.farthest = LONGEST_LEADER;
 

@@ -77,6 +77,8 @@ pub fn draw_one_parameter(
     let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
     let (header, unit_of_ordinate) = figure.ordinate.column();
     let own = Names::new(column, header);
+    let titled = figure.ordinate == Ordinate::X && names.columns().is_none();
+    let columns = (!titled).then(|| [own.primary.clone(), own.secondary.clone()]);
     let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
     let (x, y) = (names.titled(x, "length"), names.titled("$y$", "length/time"));
     let up = match figure.ordinate {
@@ -101,7 +103,7 @@ pub fn draw_one_parameter(
     let panel = |frame, bounds| Panel {
         tables,
         only: Some(("diagram", figure.diagram)),
-        names: Some(&own),
+        columns: columns.clone(),
         ..Panel::new(&canvas, frame, bounds)
     };
     let panels: Vec<Panel<'_>> = bounds(&canvas, frame, magnified, [top, portraits_end], &up)?

@@ -13,6 +13,7 @@
 //!
 //! Scripts do not nest, and a superscript after a subscript follows it instead of being above it.
 
+use grazing_results::title::without_ties;
 use std::str::Chars;
 
 use grazing_results::GREEK;
@@ -87,10 +88,11 @@ struct Parser<'a> {
     runs: Vec<Run>,
 }
 
-/// The text of a label without markup; symbols become their letters.
+/// The text of a label, a title or a description without markup; symbols become their letters.
 pub fn unmarked(source: &str) -> String {
+    let source = without_ties(source);
     let letters = |label: Label| label.runs.iter().map(|run| run.text.as_str()).collect();
-    Label::parse(source).map_or_else(|_| source.to_owned(), letters)
+    Label::parse(&source).map_or_else(|_| source.clone(), letters)
 }
 
 impl Label {

@@ -64,7 +64,7 @@ pub struct PanelMark {
     pub tables: Vec<&'static str>,
     /// The column and the number that distinguish the panel's rows from those of other panels.
     pub only: Option<(&'static str, u32)>,
-    /// The columns of the horizontal and the vertical axis, if the titles do not identify them.
+    /// The columns of the horizontal and the vertical axis, unless these are those of their titles.
     pub columns: Option<[String; 2]>,
     /// Whether values are linear along the axes, so that they can be read off; the SVG does not describe
     /// panels in which they are not.
@@ -194,7 +194,7 @@ impl Element {
 impl PanelMark {
     /// An invisible rectangle of class `panel` with which programs read values off the sheet: `data-x`
     /// and `data-y` are the values at its left and right, bottom and top edges; `data-columns` the
-    /// columns that hold them, if the titles do not identify them.
+    /// columns that hold them, unless these are those of their titles.
     fn svg(&self) -> String {
         let Self { bounds, frame: Frame { x, y }, titles, tables, only, columns, .. } = self;
         let mut attributes = String::new();

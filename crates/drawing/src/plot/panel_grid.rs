@@ -116,10 +116,11 @@ pub(crate) fn draw_panels(
         }
         let canvas = Canvas::new(grid.width_mm, grid.height_mm())?;
         for (place, shown) in shown.iter().enumerate() {
-            let GridPanel { frame, only, names, decades, .. } = *shown;
+            let GridPanel { frame, only, decades, .. } = *shown;
+            let columns = shown.names.and_then(Names::columns);
             let bounds = grid.bounds(place);
             let tables = heading.tables;
-            let panel = Panel { tables, only, names, decades, ..Panel::new(&canvas, frame, bounds) };
+            let panel = Panel { tables, only, columns, decades, ..Panel::new(&canvas, frame, bounds) };
             draw(&panel, start + place)?;
             panel.axes(across, if grid.is_titled(place) { shown.up } else { "" })?;
             shown.write_heading(&canvas, (bounds.left, bounds.top - grid.heading_rise()), split)?;

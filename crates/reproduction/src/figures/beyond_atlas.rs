@@ -105,8 +105,7 @@ impl FileSection for BeyondAtlas {
 
 impl PaperFigure for BeyondAtlas {
     const LABEL: &'static str = "fig:atlas";
-    const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: atlas of the limit map";
+    const TITLE: Title<&'static str> = Title::beyond("atlas of the limit map");
     const TABLES: &'static [TablePlan] = Atlas::TABLES;
     const REMEDY: &'static str = Figure7::REMEDY;
     type Shown = Atlas;

@@ -149,8 +149,7 @@ impl FileSection for BeyondAttractors {
 
 impl PaperFigure for BeyondAttractors {
     const LABEL: &'static str = "fig:attractors";
-    const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: long-term behaviour in the window of Figure 7";
+    const TITLE: Title<&'static str> = Title::beyond("long-term behaviour in the window of Figure~7");
     const TABLES: &'static [TablePlan] = Attractors::TABLES;
     const REMEDY: &'static str = Figure7::REMEDY;
     type Shown = Attractors;

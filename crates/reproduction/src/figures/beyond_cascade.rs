@@ -103,8 +103,7 @@ impl FileSection for BeyondCascade {
 
 impl PaperFigure for BeyondCascade {
     const LABEL: &'static str = "fig:cascade";
-    const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: what follows the period doublings";
+    const TITLE: Title<&'static str> = Title::beyond("what follows the period doublings");
     const TABLES: &'static [TablePlan] = Cascades::TABLES;
     const REMEDY: &'static str = Figure7::REMEDY;
     type Shown = Cascades;

@@ -87,8 +87,7 @@ impl FileSection for BeyondLoops {
 
 impl PaperFigure for BeyondLoops {
     const LABEL: &'static str = "fig:loops";
-    const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: solutions with more loops at one-loop resonances";
+    const TITLE: Title<&'static str> = Title::beyond("solutions with more loops at one-loop resonances");
     const TABLES: &'static [TablePlan] = MoreLoops::TABLES;
     const REMEDY: &'static str = "beyond_loops.damping";
     type Shown = MoreLoops;

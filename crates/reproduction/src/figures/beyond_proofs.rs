@@ -111,8 +111,7 @@ impl FileSection for BeyondProofs {
 
 impl PaperFigure for BeyondProofs {
     const LABEL: &'static str = "fig:proofs";
-    const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: what is proved about Figure 7";
+    const TITLE: Title<&'static str> = Title::beyond("what is proved about Figure~7");
     const TABLES: &'static [TablePlan] = Proofs::TABLES;
     const REMEDY: &'static str = "oscillator.zeta or oscillator.epsilon";
     type Shown = Proofs;

@@ -54,8 +54,7 @@ impl FileSection for BeyondRegions {
 
 impl PaperFigure for BeyondRegions {
     const LABEL: &'static str = "fig:regions";
-    const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: where p-loop solutions are admissible at grazing";
+    const TITLE: Title<&'static str> = Title::beyond("where p-loop solutions are admissible at grazing");
     const TABLES: &'static [TablePlan] = Regions::TABLES;
     const REMEDY: &'static str = "beyond_regions.loops";
     type Shown = Regions;

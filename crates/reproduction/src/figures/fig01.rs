@@ -84,7 +84,7 @@ impl FileSection for Figure1 {
 
 impl PaperFigure for Figure1 {
     const LABEL: &'static str = "fig:Bc";
-    const TITLE: &'static str = "Figure 1: phase space, impacting surface and reset law";
+    const TITLE: Title<&'static str> = Title::figure(1, "phase space, impacting surface and reset law");
     const TABLES: &'static [TablePlan] =
         &TablePlan::renamed(Scene::TABLES, ["fig01_curves", "fig01_points", "fig01_surfaces"]);
     const REMEDY: &'static str = "fig01.orbits, fig01.amplitude or fig01.frequency";

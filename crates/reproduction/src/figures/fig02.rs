@@ -19,7 +19,8 @@ pub use section::{Figure2, Magnification, Portrait, Wish, frequency};
 
 impl PaperFigure for Figure2 {
     const LABEL: &'static str = "fig:Z";
-    const TITLE: &'static str = "Figure 2: one-parameter bifurcation diagram with phase portraits";
+    const TITLE: Title<&'static str> =
+        Title::figure(2, "one-parameter bifurcation diagram with phase portraits");
     const TABLES: &'static [TablePlan] = &TablePlan::renamed(
         OneParameter::TABLES,
         ["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],

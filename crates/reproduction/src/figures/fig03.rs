@@ -69,7 +69,7 @@ impl FileSection for Figure3 {
 
 impl PaperFigure for Figure3 {
     const LABEL: &'static str = "fig:Ba";
-    const TITLE: &'static str = "Figure 3: the return map near a grazing periodic solution";
+    const TITLE: Title<&'static str> = Title::figure(3, "the return map near a grazing periodic solution");
     const TABLES: &'static [TablePlan] =
         &TablePlan::renamed(Scene::TABLES, ["fig03_curves", "fig03_points", "fig03_surfaces"]);
     const REMEDY: &'static str = "fig03.start or fig03.frequency";

@@ -76,7 +76,7 @@ impl FileSection for Figure4 {
 
 impl PaperFigure for Figure4 {
     const LABEL: &'static str = "fig:D";
-    const TITLE: &'static str = "Figure 4: the boundaries g_p and h_p in the trapesium";
+    const TITLE: Title<&'static str> = Title::figure(4, "the boundaries g_p and h_p in the trapesium");
     const TABLES: &'static [TablePlan] = Boundaries::TABLES;
     const REMEDY: &'static str = "fig04.loops";
     type Shown = Boundaries;

@@ -108,7 +108,7 @@ impl FileSection for Figure5 {
 
 impl PaperFigure for Figure5 {
     const LABEL: &'static str = "fig:E";
-    const TITLE: &'static str = "Figure 5: unfolding of a resonant grazing bifurcation";
+    const TITLE: Title<&'static str> = Title::figure(5, "unfolding of a resonant grazing bifurcation");
     const TABLES: &'static [TablePlan] = UnfoldingSketch::TABLES;
     const REMEDY: &'static str = "fig05.loops or fig05.n";
     type Shown = UnfoldingSketch;

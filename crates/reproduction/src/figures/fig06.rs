@@ -130,7 +130,7 @@ impl FileSection for Figure6 {
 
 impl PaperFigure for Figure6 {
     const LABEL: &'static str = "fig:F";
-    const TITLE: &'static str = "Figure 6: the impact oscillator";
+    const TITLE: Title<&'static str> = Title::figure(6, "the impact oscillator");
     const TABLES: &'static [TablePlan] = Schematic::TABLES;
     const REMEDY: &'static str = "fig06.frequency or fig06.amplitude";
     type Shown = Schematic;

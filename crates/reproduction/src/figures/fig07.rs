@@ -17,7 +17,7 @@ use diagram::not_followed;
 
 impl PaperFigure for Figure7 {
     const LABEL: &'static str = "fig:G";
-    const TITLE: &'static str = "Figure 7: two-parameter bifurcation diagram";
+    const TITLE: Title<&'static str> = Title::figure(7, "two-parameter bifurcation diagram");
     const TABLES: &'static [TablePlan] =
         &TablePlan::renamed(PlaneDiagram::TABLES, ["fig07_curves", "fig07_points", "fig07_regions"]);
     const REMEDY: &'static str = "fig07.frequency, fig07.amplitude or fig07.loops";
@@ -43,8 +43,8 @@ impl PaperFigure for Figure7 {
             title: "Two-parameter bifurcation diagram",
             description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
              saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
-             in grey. Triangles: resonances; discs: other codimension-two points. Rectangles: the panels of Figure 8; thick \
-             line: section shown in Figure 2.",
+             in grey. Triangles: resonances; discs: other codimension-two points. Rectangles: the panels of Figure~8; thick \
+             line: section shown in Figure~2.",
             names: &Names::of_the_paper(),
             tables: &["fig07_points", "fig07_curves"],
         };

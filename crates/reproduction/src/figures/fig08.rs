@@ -30,7 +30,8 @@ struct Shown<'a> {
 
 impl PaperFigure for Figure8 {
     const LABEL: &'static str = "fig:Y";
-    const TITLE: &'static str = "Figure 8: magnifications of Figure 7 with quadratic approximations";
+    const TITLE: Title<&'static str> =
+        Title::figure(8, "magnifications of Figure~7 with quadratic approximations");
     const TABLES: &'static [TablePlan] = &TablePlan::renamed(Magnifications::TABLES, ["fig08_curves"]);
     const REMEDY: &'static str = "fig08.panels, fig07.frequency or fig07.amplitude";
     type Shown = Magnifications;

@@ -53,7 +53,7 @@ impl FileSection for Figure9 {
 
 impl PaperFigure for Figure9 {
     const LABEL: &'static str = "fig:Bb";
-    const TITLE: &'static str = "Figure 9: points on the impacting surface and on the section";
+    const TITLE: Title<&'static str> = Title::figure(9, "points on the impacting surface and on the section");
     const TABLES: &'static [TablePlan] =
         &TablePlan::renamed(Scene::TABLES, ["fig09_curves", "fig09_points", "fig09_surfaces"]);
     const REMEDY: &'static str = "fig09.impact, fig09.amplitude or fig09.frequency";

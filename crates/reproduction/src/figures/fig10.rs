@@ -90,7 +90,7 @@ fn remedy(oscillator: &LinearOscillator, frequency: f64, loops: u32) -> String {
 
 impl PaperFigure for Figure10 {
     const LABEL: &'static str = "fig:I";
-    const TITLE: &'static str = "Figure 10: the path of visits in the proof of Theorem 2.3";
+    const TITLE: Title<&'static str> = Title::figure(10, "the path of visits in the proof of Theorem 2.3");
     const TABLES: &'static [TablePlan] = VisitPath::TABLES;
     const REMEDY: &'static str = "fig10.frequency or fig10.loops";
     type Shown = VisitPath;

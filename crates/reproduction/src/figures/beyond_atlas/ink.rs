@@ -65,7 +65,7 @@ impl Atlas {
             "beyond_atlas",
             "Atlas of the limit map of linear oscillators",
             "Above: sigma across, coefficient of restitution up. The darker, the more stable orbits, with 2, 4, 8 and 16 impacts, emerge in turn as the \
-             parameter moves beyond the period doubling; white: the period doubling is subcritical. Triangles: resonances of Figure 7. Below: where \
+             parameter moves beyond the period doubling; white: the period doubling is subcritical. Triangles: resonances of Figure~7. Below: where \
              saddle-nodes, second period doublings and grazing of period-doubled orbits are, in units of c_PD.",
         )
     }

@@ -134,6 +134,6 @@ pub(super) fn draw(figure: &Attractors, width: SheetWidth) -> Result<Sheet, Draw
         "beyond_attractors",
         "Long-term behaviour in the window of Figure 7",
         "Forcing amplitude across, forcing frequency up. Colour: the attractor that motion from four initial states reaches at each place; where they reach \
-         different attractors, rows alternate between these. Curves and points as in Figure 7.",
+         different attractors, rows alternate between these. Curves and points as in Figure~7.",
     )
 }

@@ -7,7 +7,7 @@ use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Pen, SMALL_LABEL_SIZE};
 use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::cloud::draw_cloud;
-use grazing_results::{Frame, Names, span};
+use grazing_results::{Frame, span};
 
 use super::{CascadePoint, Cascades, SHOWN};
 use crate::figure::prelude::*;
@@ -35,7 +35,7 @@ impl Cascades {
         let row = canvas.height / rows.len().max(1) as f64;
         let column = (canvas.width - LEFT - GAP) / rows.first().map_or(1, |row| row.len()) as f64;
         let narrow = width < WIDTH_MM;
-        let names = Names::new("scaled_parameter", "scaled_velocity");
+        let columns = ["scaled_parameter", "scaled_velocity"].map(str::to_owned);
         for (panels, top) in rows.iter().zip((0..).map(|number| row * f64::from(number))) {
             let of_row = |point: &&CascadePoint| panels.iter().any(|panel| panel.panel == point.panel);
             let [low, high] = span(self.points.iter().filter(of_row).map(|point| point.scaled));
@@ -49,7 +49,7 @@ impl Cascades {
                 let mut drawn = Panel::new(&canvas, frame, bounds);
                 drawn.tables = &["beyond_cascade_attractor"];
                 drawn.only = Some(("panel", panel.panel));
-                drawn.names = Some(&names);
+                drawn.columns = Some(columns.clone());
                 drawn.numbers_beside = left == LEFT;
                 let own = self.onsets.iter().filter(|at| (at.point.loops(), at.n) == (panel.loops, panel.n));
                 for onset in

@@ -6,7 +6,7 @@ use grazing_drawing::ink::labels::{Labels, Site};
 use grazing_drawing::ink::legend::Sample;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, Paint, THRESHOLD, branch_pen};
 use grazing_drawing::plot::axes::{Marker, Panel};
-use grazing_results::{Frame, Names};
+use grazing_results::Frame;
 
 use super::MoreLoops;
 use crate::figure::prelude::*;
@@ -25,11 +25,11 @@ pub(super) fn draw(figure: &MoreLoops, width: SheetWidth) -> Result<Sheet, Drawi
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let middle = 0.5 * canvas.width;
     let bounds = |left: f64, right: f64| Bounds { left, top: 22.0, right, bottom: canvas.height - 30.0 };
-    let names = ["log10_m_width", "log10_m_slowest"].map(|up| Names::new("sigma", up));
     let mut widths = Panel::new(&canvas, WIDTHS, bounds(37.0, middle - 8.0));
     let mut places = Panel::new(&canvas, PLACES, bounds(middle + 37.0, canvas.width - 8.0));
-    for (panel, names) in [&mut widths, &mut places].into_iter().zip(&names) {
-        (panel.tables, panel.names) = (&["beyond_loops"], Some(names));
+    for (panel, up) in [(&mut widths, "log10_m_width"), (&mut places, "log10_m_slowest")] {
+        panel.tables = &["beyond_loops"];
+        panel.columns = Some(["sigma", up].map(str::to_owned));
     }
     let mut labels = [Labels::new(&canvas, widths.bounds), Labels::new(&canvas, places.bounds)];
 

@@ -103,7 +103,7 @@ pub(super) fn draw(figure: &Boundaries, width: SheetWidth) -> Result<Sheet, Draw
         "fig04",
         "The boundaries g_p and h_p in the trapesium",
         "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
-         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
+         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure~2.",
     )
 }
 
