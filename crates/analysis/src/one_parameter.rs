@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_description::{Description, Ordinate as Written};
+use grazing_description::Description;
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::{MotionReading, Ordinate};
@@ -26,18 +26,6 @@ pub const SAMPLING: Sampling = Sampling {
     seed: 1,
     readings: false,
 };
-
-/// The ordinate that a file requests, as the results name it.
-fn ordinate(written: Written) -> Ordinate {
-    match written {
-        Written::X => Ordinate::X,
-        Written::ImpactVelocity => Ordinate::ImpactVelocity,
-        Written::PeakToPeak => Ordinate::PeakToPeak,
-        Written::Impulse => Ordinate::Impulse,
-        Written::Force => Ordinate::Force,
-        Written::Power => Ordinate::Power,
-    }
-}
 
 /// Fills in the quantities that depend on the mass, in the oscillator's own units.
 fn weigh(found: &mut OneParameter, description: &Description) {
@@ -90,8 +78,9 @@ pub(crate) fn diagrams(
     let units = description.units();
     let (oscillator, scope) = prepared(description, &units, stop);
     for (diagram, setting) in (1..).zip(description.diagrams()) {
-        let &grazing_description::OneParameter { primary_is_fixed, at, range, seed, sweeps, .. } = setting;
-        let ordinate = ordinate(setting.ordinate);
+        let &grazing_description::OneParameter {
+            primary_is_fixed, at, range, seed, sweeps, ordinate, ..
+        } = setting;
         let line = Line { diagram, primary_is_fixed, at, range }.without_dimensions(&units);
         let unit = if primary_is_fixed { units.secondary } else { units.primary };
         let subject = |across: &f64| Subject { across: across / unit, loops: None };

@@ -4,6 +4,8 @@ use std::borrow::Cow;
 use std::env;
 use std::fmt::{self, Display, Formatter};
 
+use grazing_continuation::bifurcation::Bifurcation;
+
 /// The command that starts the installed program.
 pub(crate) const INSTALLED: &str = "grazing";
 /// The command that starts the program in a clone.
@@ -16,9 +18,10 @@ pub fn program() -> &'static str {
     env::var_os("GRAZING_BY_XTASK").map_or(INSTALLED, |_| IN_A_CLONE)
 }
 
-/// A text of ours, with the command that starts the program where `{grazing}` stands.
+/// A text of ours, with the command that starts the program where `{grazing}` stands, and the kinds of bifurcations where
+/// `{kinds}` does.
 pub(crate) fn filled(template: &str, program: &str) -> String {
-    template.replace(MARK, program)
+    template.replace(MARK, program).replace("{kinds}", Bifurcation::NAMES)
 }
 
 /// A command to be typed in a shell.

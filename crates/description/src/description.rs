@@ -7,7 +7,9 @@ use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator,
 
 use crate::error::KeyPlace;
 use crate::expression::Expression;
-use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Ordinate, Side};
+use grazing_results::readings::Ordinate;
+
+use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Side};
 
 /// An oscillator with a wall, as described by a file; a clone shares everything with the original.
 ///

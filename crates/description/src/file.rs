@@ -2,8 +2,11 @@
 
 use std::sync::LazyLock;
 
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::kinds::Colour;
+use grazing_results::readings::Ordinate;
 use grazing_source::kind::{
-    Kind, any_names, choice, counts, maybe, number, numbers, or, table, tables, value,
+    Kind, any_names, choice, counts, maybe, number, numbers, or, table, tables, usual, value,
 };
 use grazing_source::{Keys, Requirements, Section, SourceError, keys};
 
@@ -59,7 +62,7 @@ keys! {
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
         /// How the two-parameter diagram and its magnifications are drawn.
-        figure: FigureStyle = or(table(), FigureStyle::usual()),
+        figure: FigureStyle = or(table(), usual()),
             "the table [figure] may hold swap, shading, names, width, height and colours, and may be left out";
         /// Own curves in the two-parameter diagram.
         curves: Vec<WrittenCurve> = tables(0..=MOST_CURVES),
@@ -173,8 +176,8 @@ keys! {
         height: Option<f64> = maybe(number(40.0..=400.0)),
             "the height of the diagram must be from 40 to 400, in millimetres; if it is left out, it follows from the width";
         /// The colours of kinds of curves.
-        colours: Vec<(String, [u8; 3])> = or(any_names(value().map(colour), COLOUR), Vec::new()),
-            "the table [figure.colours] holds colours of curves by their kinds, graz, SN, PD, GZ, NS or PF, such as SN = \"#1946be\"; it may be left out";
+        colours: Vec<(Bifurcation, Colour)> = or(colours(), Vec::new()),
+            "the table [figure.colours] holds colours of curves by their kinds, {}, such as SN = \"#1946be\"; it may be left out";
     }
 }
 
@@ -217,19 +220,18 @@ keys! {
         seed: u64 = or(value(), 1),
             "the seed of the random initial states must be a whole number that is not negative; if it is left out, it is 1";
         /// What stands on the vertical axis.
-        ordinate: Ordinate = or(choice(&ORDINATES), Ordinate::X),
-            "the ordinate must be \"x\", \"impact velocity\", \"peak to peak\", \"impulse\", \"mean force\" or \"power\", the last three of which need impact.mass; if it is left out, it is \"x\"";
+        ordinate: Ordinate = or(ordinate(), Ordinate::X),
+            "the ordinate must be {}, of which {} need impact.mass; if it is left out, it is \"x\"";
         /// Motion is followed as the parameter goes up and down.
         sweeps: bool = or(value(), false),
             "sweeps must be true or false; if it is left out, it is false";
     }
 }
 
-impl FigureStyle {
-    /// The default style, that of the paper.
-    fn usual() -> Self {
-        let (names, colours) = (Named::ALL.to_vec(), Vec::new());
-        Self { swap: false, shading: true, names, width: None, height: None, colours }
+impl Default for FigureStyle {
+    /// The style of the paper.
+    fn default() -> Self {
+        usual()
     }
 }
 
@@ -250,39 +252,6 @@ impl Named {
     /// All kinds of objects.
     pub const ALL: [Self; 4] = [Self::Curves, Self::Regions, Self::Magnifications, Self::Diagrams];
 }
-
-/// A quantity on the vertical axis of a one-parameter diagram.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ordinate {
-    /// The position x on the Poincaré section.
-    X,
-    /// The impact velocity.
-    ImpactVelocity,
-    /// The difference of the highest and the lowest position.
-    PeakToPeak,
-    /// The impulse of an impact.
-    Impulse,
-    /// The mean force on the wall.
-    Force,
-    /// The power that impacts dissipate.
-    Power,
-}
-
-impl Ordinate {
-    /// Whether the quantity needs the mass.
-    pub const fn needs_mass(self) -> bool {
-        matches!(self, Self::Impulse | Self::Force | Self::Power)
-    }
-}
-
-static ORDINATES: [(&str, Ordinate); 6] = [
-    ("x", Ordinate::X),
-    ("impact velocity", Ordinate::ImpactVelocity),
-    ("peak to peak", Ordinate::PeakToPeak),
-    ("impulse", Ordinate::Impulse),
-    ("mean force", Ordinate::Force),
-    ("power", Ordinate::Power),
-];
 
 /// One of the two parameters with its range.
 #[derive(Debug, Clone, PartialEq)]
@@ -353,9 +322,6 @@ impl Limits {
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
-/// The kinds of curves that have colours.
-pub(crate) const COLOURED: [&str; 6] = ["graz", "SN", "PD", "GZ", "NS", "PF"];
-const COLOUR: &str = "a colour is given under the kind of curve, graz, SN, PD, GZ, NS or PF, as # with six hexadecimal digits in quotation marks, such as SN = \"#1946be\"";
 const POSITIVE: &str =
     "a curve has one of impact_velocity, modulus and distance: a positive number, in the units of the file";
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, such as \"omega\"";
@@ -422,12 +388,41 @@ fn named(words: Vec<String>, section: &Section<'_>, key: &str) -> Result<Vec<Nam
     words.iter().map(meant).collect::<Option<_>>().ok_or_else(|| section.refusal(key))
 }
 
-/// A colour as `#1946be`: red, green and blue by two hexadecimal digits each.
-fn colour(written: String, section: &Section<'_>, kind: &str) -> Result<[u8; 3], SourceError> {
+/// Words in quotation marks, as a list with this word before the last.
+fn listed(words: impl Iterator<Item = &'static str>, last: &str) -> String {
+    let quoted: Vec<String> = words.map(|word| format!("\"{word}\"")).collect();
+    let (end, others) = quoted.split_last().expect("there are some");
+    format!("{} {last} {end}", others.join(", "))
+}
+
+/// One of the quantities that results know.
+fn ordinate() -> Kind<Ordinate> {
+    let names =
+        |which: fn(&Ordinate) -> bool| Ordinate::ALL.iter().copied().filter(which).map(Ordinate::name);
+    let named = value().map(|written: String, section, key| {
+        let meant = Ordinate::ALL.iter().find(|ordinate| ordinate.name() == written);
+        meant.copied().ok_or_else(|| section.refusal(key))
+    });
+    named.saying([listed(names(|_| true), "or"), listed(names(|ordinate| ordinate.needs_mass()), "and")])
+}
+
+/// Colours by kinds of curves.
+fn colours() -> Kind<Vec<(Bifurcation, Colour)>> {
+    let kinds = Bifurcation::NAMES;
+    let requirement = format!(
+        "a colour is given under the kind of curve, {kinds}, as # with six hexadecimal digits in quotation marks, such as SN = \"#1946be\""
+    );
+    let colours = any_names(value().map(colour), requirement);
+    let kind = |(_, coloured): (String, (Bifurcation, Colour))| coloured;
+    colours.map(move |all, _, _| Ok(all.into_iter().map(kind).collect())).saying([kinds.to_owned()])
+}
+
+/// A colour as `#1946be`, red, green and blue by two hexadecimal digits each, for the kind of curve that is the key.
+fn colour(written: String, section: &Section<'_>, kind: &str) -> Result<(Bifurcation, Colour), SourceError> {
     let digits = written.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.is_ascii());
     let channel = |place: usize| u8::from_str_radix(digits?.get(place..place + 2)?, 16).ok();
-    match [channel(0), channel(2), channel(4)] {
-        [Some(red), Some(green), Some(blue)] if COLOURED.contains(&kind) => Ok([red, green, blue]),
+    match ([channel(0), channel(2), channel(4)], Bifurcation::named(kind)) {
+        ([Some(red), Some(green), Some(blue)], Some(kind)) => Ok((kind, [red, green, blue])),
         _ => Err(section.refusal(kind)),
     }
 }

@@ -51,7 +51,7 @@ mod validate;
 pub use description::{Description, Expressions, OneParameter, OwnCurve, Property, Wall};
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
-pub use file::{Axis, FigureStyle, Limits, Named, Ordinate, Side};
+pub use file::{Axis, FigureStyle, Limits, Named, Side};
 
 /// All keys that a file can have, with their meanings and requirements.
 pub fn keys() -> &'static [grazing_source::Key] {

@@ -12,7 +12,7 @@ import * as measured from "./measured.js";
 import * as model from "./model.js";
 import * as place from "./place.js";
 import { redraw } from "./plane.js";
-import { drawSamples, onTheme } from "./palette.js";
+import { drawSamples, listKinds, onTheme } from "./palette.js";
 import * as share from "./share.js";
 import * as state from "./state.js";
 import * as straightened from "./straightened.js";
@@ -160,6 +160,7 @@ async function start() {
   });
   onTheme(redraw);
   onTheme(drawSamples);
+  listKinds();
   drawSamples();
   new ResizeObserver(redraw).observe($("plane"));
   document.fonts.ready.then(redraw);

@@ -1,6 +1,7 @@
 // The inks of elements without a meaning of their own. Those of curves, regions, points and motions are in kinds.js,
 // which the program writes: a colour has one meaning everywhere.
-import { APPROXIMATION, DOTTED, INKS, LOOKS } from "./kinds.js";
+import { $, make } from "./dom.js";
+import { APPROXIMATION, DOTTED, INKS, KINDS, LOOKS } from "./kinds.js";
 
 const NEUTRAL = {
   light: { paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce", wall: "#6e6e6e" },
@@ -15,6 +16,12 @@ export function penOf({ kind, source }, bounds = true) {
   const look = LOOKS[kind];
   if (!bounds || source === "dotted") return { ...DOTTED, colour: look[theme()].curve };
   return source === "quadratic" ? { ...APPROXIMATION, colour: look[theme()].quadratic } : { ...look, colour: look[theme()].curve };
+}
+
+/** Lists the kinds of curves in the legend. */
+export function listKinds() {
+  const line = (kind) => make("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, make("path", { class: kind, d: "M1 5h26" }));
+  $("kinds").replaceWith(...KINDS.map((kind) => make("li", {}, line(kind), LOOKS[kind].legend)));
 }
 
 /** Draws the samples of the legend like the plane; the approximation to SN stands for all of them. */

@@ -4,6 +4,7 @@ import { $, later } from "./dom.js";
 import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
 import { diagram, strength } from "./diagram.js";
 import { followed } from "./follow.js";
+import { LOOKS } from "./kinds.js";
 import { placeLabels } from "./labels.js";
 import { axisPieces } from "./markup.js";
 import { drawMeasured, points as measured } from "./measured.js";
@@ -104,9 +105,8 @@ function drawInvalid(context, to, ink) {
 }
 
 function drawCurves(context) {
-  const order = { graz: 0, GZ: 1, NS: 2, PF: 3, PD: 4, SN: 5 };
   context.lineJoin = "round";
-  for (const { curve, points, bounds } of [...runs].sort((a, b) => (order[a.curve.kind] ?? 5) - (order[b.curve.kind] ?? 5) || (a.curve.source === "quadratic") - (b.curve.source === "quadratic"))) {
+  for (const { curve, points, bounds } of [...runs].sort((a, b) => LOOKS[a.curve.kind].layer - LOOKS[b.curve.kind].layer || (a.curve.source === "quadratic") - (b.curve.source === "quadratic"))) {
     const pen = penOf(curve, bounds);
     context.strokeStyle = pen.colour;
     context.setLineDash(pen.dashes);

@@ -44,7 +44,8 @@ fn inks(ground: usize) -> Value {
     })
 }
 
-/// A module of JavaScript with `LOOKS`: for each kind of curve its meaning, the colours on light
+/// A module of JavaScript with `KINDS`, the names of all kinds of curves, and `LOOKS`: for each its meaning, its entry in the legend, its
+/// place in the order of painting, the colours on light
 /// and on dark ground of the curve and of its approximation, width and dashes; with `APPROXIMATION`
 /// and `DOTTED`, width and dashes of approximations and of curves that bound no region; and with
 /// `INKS`.
@@ -53,8 +54,14 @@ pub(crate) fn script() -> String {
         let look = CurveLook::of(kind);
         let [[light, dark], [light_quadratic, dark_quadratic]] =
             [look.colours, look.approximation()].map(|colours| colours.map(hex));
+        let legend = match kind {
+            Bifurcation::NonImpactingGrazing => look.brief.to_owned(),
+            _ => format!("{}, {}", kind.name(), look.brief),
+        };
         let value = json!({
             "meaning": look.meaning,
+            "legend": legend,
+            "layer": look.layer,
             "light": { "curve": light, "quadratic": light_quadratic },
             "dark": { "curve": dark, "quadratic": dark_quadratic },
             "width": width(look.width),
@@ -64,8 +71,8 @@ pub(crate) fn script() -> String {
     };
     let mut looks: Map<String, Value> = Bifurcation::ALL.into_iter().map(look).collect();
     let [light, dark] = OWN.map(|colour| json!({ "curve": hex(colour) }));
-    let own =
-        json!({ "meaning": "", "light": light, "dark": dark, "width": width(OWN_WIDTHS[0]), "dashes": [] });
+    let top = Bifurcation::ALL.into_iter().map(|kind| CurveLook::of(kind).layer).max();
+    let own = json!({ "meaning": "", "layer": top, "light": light, "dark": dark, "width": width(OWN_WIDTHS[0]), "dashes": [] });
     looks.insert(OWN_CURVE.to_owned(), own);
     let approximation = json!({
         "width": width(CurveLook::APPROXIMATION_WIDTH),
@@ -74,7 +81,8 @@ pub(crate) fn script() -> String {
     let dotted = json!({"width": width(CurveLook::DOT), "dashes": pixels(CurveLook::DOTS)});
     let inks = json!({"light": inks(0), "dark": inks(1)});
     format!(
-        "export const LOOKS = {};\nexport const APPROXIMATION = {approximation};\nexport const DOTTED = {dotted};\nexport const INKS = {inks};\n",
+        "export const KINDS = {};\nexport const LOOKS = {};\nexport const APPROXIMATION = {approximation};\nexport const DOTTED = {dotted};\nexport const INKS = {inks};\n",
+        json!(Bifurcation::ALL.map(Bifurcation::name)),
         Value::Object(looks)
     )
 }

@@ -145,8 +145,7 @@ impl Model {
         let units = unfolded::axes(&description).names;
         let ordinate = |ordinate: &Ordinate| {
             let (_, unit) = ordinate.column();
-            let weighs = unit.contains("mass");
-            (description.has_mass() || !weighs)
+            (description.has_mass() || !ordinate.needs_mass())
                 .then(|| json!({"name": ordinate.name(), "unit": units.named_unit(unit)}))
         };
         let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});

@@ -239,7 +239,7 @@ mod tests {
             assert_eq!(digits(&drawn(range, &["sample"])), expected, "{range:?}");
         }
         let is_empty = |sheet| {
-            let (name, title, tables) = (String::new(), String::new(), vec![table()]);
+            let (name, title, tables) = (String::new(), String::new().into(), vec![table()]);
             of_figure(&FigureEntry { name, title, sheet, tables }).is_empty()
         };
         assert!(is_empty(Sheet::default()) && !is_empty(drawn([0.0, 4.0], &["sample"])));

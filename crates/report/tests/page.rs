@@ -82,8 +82,8 @@ fn links_lead_to_where_they_say() {
 #[test]
 fn no_caption_and_no_text_is_cut_off_in_a_narrow_window() {
     let mut report = sample::report();
-    let long = report.tables[0].title.repeat(4);
-    report.tables[0].title = long;
+    let long = report.tables[0].title.words.repeat(4);
+    report.tables[0].title = long.into();
     if let Some(cut) = browser::cut(&page(&report), 390) {
         assert!(cut.is_empty(), "{cut:#?}");
     }

@@ -17,6 +17,10 @@ pub type Colour = [u8; 3];
 pub struct CurveLook {
     /// A description of the curve in words.
     pub meaning: &'static str,
+    /// The same in short, beside its name in a legend.
+    pub brief: &'static str,
+    /// The place in the order in which curves are painted on the page of the explorer: later ones on top.
+    pub layer: u8,
     /// The colours on light and on dark ground.
     pub colours: [Colour; 2],
     /// The colour of the quadratic approximation on dark ground; for light ground see
@@ -52,6 +56,8 @@ impl CurveLook {
         match kind {
             Bifurcation::NonImpactingGrazing => Self {
                 meaning: "grazing of the non-impacting solution",
+                brief: "grazing",
+                layer: 0,
                 colours: [[120, 200, 110], [68, 157, 31]],
                 approximation_on_dark: [152, 201, 132],
                 text: [40, 120, 40],
@@ -60,6 +66,8 @@ impl CurveLook {
             },
             Bifurcation::SaddleNode => Self {
                 meaning: "saddle-node bifurcation",
+                brief: "saddle-node",
+                layer: 5,
                 colours: [BLUE, [109, 123, 252]],
                 approximation_on_dark: [175, 183, 253],
                 text: BLUE,
@@ -68,6 +76,8 @@ impl CurveLook {
             },
             Bifurcation::PeriodDoubling => Self {
                 meaning: "period-doubling bifurcation",
+                brief: "period doubling",
+                layer: 4,
                 colours: [RED, [223, 109, 108]],
                 approximation_on_dark: [237, 175, 174],
                 text: RED,
@@ -76,6 +86,8 @@ impl CurveLook {
             },
             Bifurcation::Grazing => Self {
                 meaning: "grazing of a maximal periodic solution",
+                brief: "grazing of an MPS",
+                layer: 1,
                 colours: [GREEN, [109, 255, 170]],
                 approximation_on_dark: [175, 255, 208],
                 text: GREEN,
@@ -84,6 +96,8 @@ impl CurveLook {
             },
             Bifurcation::Torus => Self {
                 meaning: "torus (Neimark-Sacker) bifurcation",
+                brief: "torus",
+                layer: 2,
                 colours: [PURPLE, [195, 161, 227]],
                 approximation_on_dark: [222, 203, 240],
                 text: PURPLE,
@@ -92,6 +106,8 @@ impl CurveLook {
             },
             Bifurcation::Pitchfork => Self {
                 meaning: "pitchfork bifurcation of symmetric motion",
+                brief: "pitchfork",
+                layer: 3,
                 colours: [VIOLET, [151, 29, 254]],
                 approximation_on_dark: [203, 145, 254],
                 text: VIOLET,

@@ -92,6 +92,11 @@ read! {
 }
 
 impl Ordinate {
+    /// Whether the quantity needs the mass that hits the wall.
+    pub fn needs_mass(self) -> bool {
+        self.column().1.contains("mass")
+    }
+
     /// The header of the ordinate's column, and the unit of its numbers.
     pub const fn column(self) -> (&'static str, &'static str) {
         use crate::columns::{IMPACT_VELOCITY, IMPULSE, MEAN_FORCE, PEAK_TO_PEAK, POWER, X_ON_SECTION};

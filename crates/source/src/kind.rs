@@ -7,8 +7,10 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 
 use crate::error::SourceError;
-use crate::keys::Key;
+use crate::keys::{Key, Requirements};
 use crate::section::Section;
+use crate::source::Source;
+use crate::text::Text;
 use crate::words::joined;
 
 /// A struct whose fields are the keys of a table: see [`keys!`](crate::keys).
@@ -123,6 +125,12 @@ impl<V: 'static> Kind<V> {
         (self.read)(section, name)
     }
 
+    /// Words that replace `{}` in the requirement, in their order.
+    #[must_use]
+    pub fn saying(self, words: impl IntoIterator<Item = String>) -> Self {
+        Self { limits: words.into_iter().collect(), ..self }
+    }
+
     /// Adds a key in a table, with its meaning and requirement, and the keys in it if it is a table
     /// itself.
     #[doc(hidden)]
@@ -225,6 +233,14 @@ pub fn table<T: Keys + 'static>() -> Kind<T> {
     Kind::new(|section, name| T::read(&section.table(name)?)).listed(list_table::<T>)
 }
 
+/// A table all of whose keys are left out.
+pub fn usual<T: Keys>() -> T {
+    let requirements = Requirements::new("");
+    let text = Text::new("", &[]);
+    let source = Source::new(&text, "", &requirements);
+    source.whole(|section| T::read(&section)).expect("all keys of such a table may be left out")
+}
+
 /// A list of tables, such as `[[fig08.panels]]`; empty if the key is missing and no table is
 /// required.
 pub fn tables<T: Keys + 'static>(range: RangeInclusive<usize>) -> Kind<Vec<T>> {
@@ -250,15 +266,16 @@ fn list_table<T: Keys>(key: Key, keys: &mut Vec<Key>) {
 
 /// A table in which any names may stand, each with a value of a kind; `requirement` is that of each
 /// value.
-pub fn any_names<V: 'static>(kind: Kind<V>, requirement: &'static str) -> Kind<Vec<(String, V)>> {
+pub fn any_names<V: 'static>(kind: Kind<V>, requirement: impl Into<String>) -> Kind<Vec<(String, V)>> {
+    let requirement = requirement.into();
     let read = move |section: &Section<'_>, name: &str| {
         let table = section.table(name)?;
         let named = |name: &str| Ok((name.to_owned(), kind.read(&table, name)?));
         table.names().into_iter().map(named).collect()
     };
-    Kind::new(read).listed(|key, keys| {
+    Kind::new(read).listed(move |key, keys| {
         let path = joined(&key.path, "*");
-        let any = Key { path, requirement: requirement.to_owned(), meaning: key.meaning.clone() };
+        let any = Key { path, requirement: requirement.clone(), meaning: key.meaning.clone() };
         keys.extend([key, any]);
     })
 }

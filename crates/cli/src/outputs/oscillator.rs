@@ -4,7 +4,6 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use grazing_analysis::unfolded::{AlongGrazing, AtResonances, Unfolded};
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::{Description, FigureStyle, Named};
 use grazing_drawing::{
     DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
@@ -243,19 +242,7 @@ fn two_parameters(
 
 /// The look of figures that a file asks for.
 fn look(style: &FigureStyle, columns: SheetWidth) -> Look {
-    let coloured = |(name, colour): &(String, [u8; 3])| Some((Bifurcation::named(name)?, *colour));
-    let named = |what| style.names.contains(&what);
-    Look {
-        columns,
-        size_mm: [style.width, style.height],
-        swapped: style.swap,
-        shaded: style.shading,
-        curves_named: named(Named::Curves),
-        regions_named: named(Named::Regions),
-        magnified: named(Named::Magnifications),
-        sections: named(Named::Diagrams),
-        colours: style.colours.iter().filter_map(coloured).collect(),
-    }
+    Look { columns, style: style.clone() }
 }
 
 /// The two-parameter diagram of an oscillator of this name, and its tables.
@@ -269,13 +256,16 @@ pub(crate) fn plane(
 ) -> Computed {
     let (look, tables) = (look.into(), ["points", "curves"]);
     let title = format!("{name}: {shown}");
-    let frames =
-        if diagram.magnified.is_empty() || !look.magnified { "" } else { "; rectangles: magnifications" };
+    let frames = if diagram.magnified.is_empty() || !look.style.names.contains(&Named::Magnifications) {
+        ""
+    } else {
+        "; rectangles: magnifications"
+    };
     let description = format!(
         "{} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing \
          bifurcations of maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other \
          codimension-two points{frames}.",
-        axes(names, look.swapped)
+        axes(names, look.style.swap)
     );
     let heading =
         Heading { name: "diagram", title: &title, description: &description, names, tables: &tables };
@@ -293,7 +283,7 @@ fn magnifications(
     let title = format!("{}: magnifications about resonant grazing bifurcations", of.description.name());
     let description = format!(
         "{} Dashed: the quadratic approximations to the saddle-node and period-doubling curves.",
-        axes(of.names(), look.swapped)
+        axes(of.names(), look.style.swap)
     );
     let magnifications = of.unfolded.magnifications(&of.diagram);
     let (title, description) = (title.as_str(), description.as_str());

@@ -58,7 +58,7 @@ fn help_of_reproduce_lists_every_output_with_its_title() {
     let text = help(&["reproduce", "--help"]);
     for output in outputs::ALL {
         let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let told = words(&text).contains(&words(output.title));
+        let told = words(&text).contains(&words(&output.title.to_string()));
         assert!(text.contains(output.name) && told, "{} is missing", output.name);
     }
 }

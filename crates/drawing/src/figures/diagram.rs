@@ -1,6 +1,7 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
 use grazing_continuation::bifurcation::CodimensionTwo;
+use grazing_description::Named;
 use grazing_results::Frame;
 use grazing_results::plane::{PlaneDiagram, RegionKind};
 
@@ -48,10 +49,9 @@ pub fn draw_diagram(
     look: impl Into<Look>,
 ) -> Result<Sheet, DrawingError> {
     let look = &look.into();
-    if look.swapped {
+    if look.style.swap {
         let names = heading.names.clone().swapped();
-        let (heading, look) =
-            (Heading { names: &names, ..*heading }, Look { swapped: false, ..look.clone() });
+        let (heading, look) = (Heading { names: &names, ..*heading }, look.clone().unswapped());
         return draw_diagram(&diagram.clone().swapped(), &heading, look);
     }
     let frame = checked(diagram.frame, heading.name)?;
@@ -63,7 +63,7 @@ pub fn draw_diagram(
 
     let width = look.width_mm(WIDTH_MM);
     let usual = (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM);
-    let canvas = Canvas::new(width, look.size_mm[1].unwrap_or(usual))?;
+    let canvas = Canvas::new(width, look.style.height.unwrap_or(usual))?;
     let bounds = bounds(&canvas, &frame, up)?;
     let panel =
         Panel { tables: heading.tables, columns: names.columns(), ..Panel::new(&canvas, frame, bounds) };
@@ -80,7 +80,7 @@ pub fn draw_diagram(
     let drawn = draw_curves(&panel, &mut labels, shown_curves(&diagram.curves));
     let own = draw_own(&panel, &mut labels, &diagram.own);
     let mut sections = Vec::new();
-    for section in diagram.sections.iter().filter(|_| look.sections) {
+    for section in diagram.sections.iter().filter(|_| look.names(Named::Diagrams)) {
         let pen = if section.thin { THIN_SECTION } else { SECTION };
         for piece in panel.line(&section.ends, pen) {
             canvas.explain("line of a one-parameter diagram", Sample::Line(pen));
@@ -104,7 +104,7 @@ pub fn draw_diagram(
     let lost = lost.map(|point| (point.primary, point.secondary));
     draw_ends(&panel, &mut labels, lost.chain(lost_own.map(|point| (point.primary, point.secondary))));
     let mut boxes = Vec::new();
-    for magnified in diagram.magnified.iter().filter(|_| look.magnified) {
+    for magnified in diagram.magnified.iter().filter(|_| look.names(Named::Magnifications)) {
         let outline = rectangle(&panel, &magnified.frame, &mut labels);
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
@@ -121,7 +121,7 @@ pub fn draw_diagram(
             labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Site::Around(end, 2.5))?;
         }
     }
-    let named = look.regions_named;
+    let named = look.names(Named::Regions);
     for (p, shape) in by_area(&shapes).into_iter().filter(|_| named) {
         let text = format!("$p={p}$");
         let inside = labels.add(&text, LABEL_SIZE, BLACK, &Site::Within(shape))?
@@ -133,7 +133,7 @@ pub fn draw_diagram(
     for (p, spot) in unnamed.iter().filter(|_| named) {
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;
     }
-    if look.curves_named {
+    if look.names(Named::Curves) {
         name_own(&mut labels, &own)?;
         labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
     }

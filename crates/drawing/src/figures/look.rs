@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_description::{FigureStyle, Named};
 use grazing_results::kinds::{Colour, CurveLook, darker};
 use grazing_results::plane::RegionKind;
 
@@ -10,57 +11,43 @@ use crate::ink::sheet::{Element, Sheet};
 use crate::ink::style::SheetWidth;
 use crate::ink::svg::hex;
 
-/// Options for two-parameter diagrams and magnifications: which parts are drawn, and how.
+/// The width of sheets, and the style of two-parameter diagrams and magnifications on them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// The width of the sheets.
     pub columns: SheetWidth,
-    /// Width and height of the diagram in millimetres, where given. The width applies only if the sheets
-    /// do not have the width of a journal's columns.
-    pub size_mm: [Option<f64>; 2],
-    /// Whether the secondary parameter is on the horizontal axis and the primary one on the vertical
-    /// axis.
-    pub swapped: bool,
-    /// Whether regions are shaded.
-    pub shaded: bool,
-    /// Whether curves are labelled.
-    pub curves_named: bool,
-    /// Whether regions are labelled with their p.
-    pub regions_named: bool,
-    /// Whether rectangles of magnifications are drawn, with their letters.
-    pub magnified: bool,
-    /// Whether the lines of one-parameter diagrams are drawn, with their names.
-    pub sections: bool,
-    /// Colours of kinds of curves that replace the usual ones.
-    pub colours: Vec<(Bifurcation, Colour)>,
+    /// The style, as a file may ask for it. The width of the diagram applies only if the sheets do not have the width of a
+    /// journal's columns.
+    pub style: FigureStyle,
 }
 
 impl From<SheetWidth> for Look {
-    /// The options of the paper's figures, on sheets of this width.
+    /// The style of the paper's figures, on sheets of this width.
     fn from(columns: SheetWidth) -> Self {
-        Self {
-            columns,
-            size_mm: [None; 2],
-            swapped: false,
-            shaded: true,
-            curves_named: true,
-            regions_named: true,
-            magnified: true,
-            sections: true,
-            colours: Vec::new(),
-        }
+        Self { columns, style: FigureStyle::default() }
     }
 }
 
 impl Look {
     /// The width of a diagram that is `paper` millimetres wide in the paper.
     pub(crate) fn width_mm(&self, paper: f64) -> f64 {
-        self.columns.mm(self.size_mm[0].unwrap_or(paper))
+        self.columns.mm(self.style.width.unwrap_or(paper))
+    }
+
+    /// Whether objects of a kind have their names in the figure.
+    pub(crate) fn names(&self, what: Named) -> bool {
+        self.style.names.contains(&what)
+    }
+
+    /// The look without an exchange of axes.
+    pub(crate) fn unswapped(mut self) -> Self {
+        self.style.swap = false;
+        self
     }
 
     /// Whether regions of a kind are drawn; undecided regions always are.
     pub(crate) fn shows(&self, kind: RegionKind) -> bool {
-        self.shaded || kind == RegionKind::Undecided
+        self.style.shading || kind == RegionKind::Undecided
     }
 
     /// Replaces the colours of curves, of their labels and of their approximations on a sheet.
@@ -70,7 +57,7 @@ impl Look {
             let [approximation, _] = look.approximation();
             [(look.colours[0], colour), (look.text, colour), (approximation, darker(colour))]
         };
-        let exchanged: Vec<_> = self.colours.iter().flat_map(exchanged).collect();
+        let exchanged: Vec<_> = self.style.colours.iter().flat_map(exchanged).collect();
         let exchanged: Vec<_> = exchanged.into_iter().map(|(from, to)| (hex(from), hex(to))).collect();
         let coloured = |text: &mut String| {
             if let Cow::Owned(changed) = with_colours(text, &exchanged) {
@@ -110,6 +97,15 @@ mod tests {
 
     const USUAL: SheetWidth = SheetWidth::Paper;
 
+    fn styled(style: FigureStyle) -> Look {
+        Look { columns: USUAL, style }
+    }
+
+    fn without(what: Named) -> Look {
+        let names = Named::ALL.into_iter().filter(|named| *named != what).collect();
+        styled(FigureStyle { names, ..FigureStyle::default() })
+    }
+
     fn drawn(sample: &SampleOscillator, look: Look) -> Sheet {
         draw_diagram(&sample.diagram, &sample.heading(), look).unwrap()
     }
@@ -117,7 +113,7 @@ mod tests {
     #[test]
     fn axes_change_places_with_all_that_is_drawn() {
         for sample in oscillators() {
-            let swapped = drawn(&sample, Look { swapped: true, ..Look::from(USUAL) });
+            let swapped = drawn(&sample, styled(FigureStyle { swap: true, ..FigureStyle::default() }));
             swapped.assert_well_placed(&sample.names);
             let usual = drawn(&sample, USUAL.into());
             let panel = |sheet: &Sheet| sheet.panels().next().unwrap().clone();
@@ -129,7 +125,7 @@ mod tests {
         // A direction that was up is now to the right.
         let sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
         let grazing = |swapped: bool| {
-            let svg = drawn(&sample, Look { swapped, ..Look::from(USUAL) }).svg();
+            let svg = drawn(&sample, styled(FigureStyle { swap: swapped, ..FigureStyle::default() })).svg();
             paths(&svg, &hex(CurveLook::of(Bifurcation::NonImpactingGrazing).colours[0])).swap_remove(0)
         };
         let spread = |curve: &[(f64, f64)]| {
@@ -139,7 +135,7 @@ mod tests {
         let ([across, up], [across_after, up_after]) = (spread(&grazing(false)), spread(&grazing(true)));
         assert!((across > up) != (across_after > up_after), "{across} {up} {across_after} {up_after}");
         let magnified = |swapped: bool| {
-            let look = Look { swapped, ..Look::from(USUAL) };
+            let look = styled(FigureStyle { swap: swapped, ..FigureStyle::default() });
             let sheets = draw_magnifications(&sample.magnifications, &sample.magnified(), look).unwrap();
             sheets[0].panels().next().unwrap().frame
         };
@@ -153,8 +149,10 @@ mod tests {
             [Bifurcation::SaddleNode, Bifurcation::PeriodDoubling].map(|kind| CurveLook::of(kind).colours[0]);
         // Two colours are exchanged in the figure and in the legend.
         let colours = vec![(Bifurcation::SaddleNode, red), (Bifurcation::PeriodDoubling, blue)];
-        let (usual, changed) =
-            (drawn(&sample, USUAL.into()), drawn(&sample, Look { colours, ..Look::from(USUAL) }));
+        let (usual, changed) = (
+            drawn(&sample, USUAL.into()),
+            drawn(&sample, styled(FigureStyle { colours, ..FigureStyle::default() })),
+        );
         assert_eq!(paths(&changed.svg(), &hex(red)), paths(&usual.svg(), &hex(blue)));
         assert_eq!(paths(&changed.svg(), &hex(blue)), paths(&usual.svg(), &hex(red)));
         let sample_of = |sheet: &Sheet| {
@@ -169,9 +167,9 @@ mod tests {
         let all = texts(USUAL.into());
         assert!(["PD", "$p=", "(a)"].iter().all(|start| has(&all, start)), "{all:?}");
         for (look, gone) in [
-            (Look { curves_named: false, ..Look::from(USUAL) }, "PD"),
-            (Look { regions_named: false, ..Look::from(USUAL) }, "$p="),
-            (Look { magnified: false, ..Look::from(USUAL) }, "(a)"),
+            (without(Named::Curves), "PD"),
+            (without(Named::Regions), "$p="),
+            (without(Named::Magnifications), "(a)"),
         ] {
             let left = texts(look);
             assert!(
@@ -180,12 +178,16 @@ mod tests {
             );
         }
 
-        let white = drawn(&sample, Look { shaded: false, ..Look::from(USUAL) });
+        let white = drawn(&sample, styled(FigureStyle { shading: false, ..FigureStyle::default() }));
         assert!(!white.svg().contains("fill-opacity") && usual.svg().contains("fill-opacity"));
         let [width, height] = [150.0, 60.0];
-        let sized = drawn(&sample, Look { size_mm: [Some(width), Some(height)], ..Look::from(USUAL) });
+        let sized = drawn(
+            &sample,
+            styled(FigureStyle { width: Some(width), height: Some(height), ..FigureStyle::default() }),
+        );
         assert!(sized.svg().contains("width=\"150mm\" height=\"60mm\""));
-        let column = Look { size_mm: [Some(width), None], ..Look::from(SheetWidth::OneColumn) };
+        let style = FigureStyle { width: Some(width), ..FigureStyle::default() };
+        let column = Look { style, columns: SheetWidth::OneColumn };
         assert!(drawn(&sample, column).svg().contains("width=\"86mm\""));
     }
 }

@@ -2,6 +2,7 @@
 //! which curves that are tangent to each other are separate at any scale.
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_description::Named;
 use grazing_results::columns::{FROM_RESONANCE, SCALED_DISTANCE};
 use grazing_results::plane::{
     CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint,
@@ -39,10 +40,9 @@ pub fn draw_magnifications(
     look: impl Into<Look>,
 ) -> Result<Vec<Sheet>, DrawingError> {
     let look = &look.into();
-    if look.swapped {
+    if look.style.swap {
         let names = heading.names.clone().swapped();
-        let (heading, look) =
-            (Heading { names: &names, ..*heading }, Look { swapped: false, ..look.clone() });
+        let (heading, look) = (Heading { names: &names, ..*heading }, look.clone().unswapped());
         return draw_magnifications(&figure.clone().swapped(), &heading, look);
     }
     let [across, up] = &heading.names.titles();
@@ -145,7 +145,7 @@ fn draw_panel(
     }
     let drawn = draw_curves(panel, &mut labels, curves(&figure.curves, number));
     draw_points(panel, &mut labels, &figure.points);
-    if look.curves_named {
+    if look.names(Named::Curves) {
         labels.name_curves(drawn, LABELLED_LENGTH, &heading.names.grazing_title())?;
     }
     labels.draw()

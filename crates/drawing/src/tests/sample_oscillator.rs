@@ -100,10 +100,10 @@ pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<PlanePoint> {
 fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
     let ends = curves.iter().filter_map(|(kind, loops, n, _, points)| {
         let (kind, (primary, secondary)) = match kind {
-            Bifurcation::NonImpactingGrazing | Bifurcation::Torus | Bifurcation::Pitchfork => return None,
             Bifurcation::SaddleNode => (CodimensionTwo::Resonance, points[0]),
             Bifurcation::PeriodDoubling => (CodimensionTwo::PeriodDoublingGrazing, points[100]),
             Bifurcation::Grazing => (CodimensionTwo::SaddleNodeGrazing, points[0]),
+            _ => return None,
         };
         Some(SpecialPoint { kind, loops: *loops, n: *n, secondary, primary })
     });

@@ -16,7 +16,7 @@ use grazing_description::Description;
 use grazing_drawing::{Bounds, Element, PanelMark, Path, Sheet};
 use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Part, Report, TableOutput};
 use grazing_results::plane::SpecialPoint;
-use grazing_results::{Column, Frame, Names, Table, UnitNames, columns};
+use grazing_results::{Column, Frame, Names, Table, Title, UnitNames, columns};
 use grazing_theorems::LinearOscillator;
 use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity, Theorem};
 use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
@@ -76,7 +76,7 @@ fn findings() -> Vec<Finding<'static>> {
     found.map(|(claim, verdict)| Finding { claim, verdict, time: Default::default() }).collect()
 }
 
-fn figure(name: &str, title: &str) -> FigureEntry {
+fn figure(name: &str, title: Title<&'static str>) -> FigureEntry {
     let markup = |text: &str| Element::Markup(text.to_owned());
     let line = Path {
         pieces: vec![(vec![(2000, 9000), (10_000, 5000), (18_000, 1000)], false)],
@@ -92,7 +92,7 @@ fn figure(name: &str, title: &str) -> FigureEntry {
         columns: None,
     };
     let sheet = Sheet {
-        title: title.to_owned(),
+        title: title.to_string(),
         description: "A line through three points.".to_owned(),
         size: (200.0, 120.0),
         elements: vec![
@@ -123,7 +123,7 @@ fn figure(name: &str, title: &str) -> FigureEntry {
     ];
     let name_of_table = if name == "fig98" { "fig98_points" } else { "fig99_points" };
     let tables = vec![Table::of_cells(name_of_table, COLUMNS, &Names::of_the_paper(), rows)];
-    FigureEntry { name: name.to_owned(), title: title.to_owned(), sheet, tables }
+    FigureEntry { name: name.to_owned(), title: title.owned(), sheet, tables }
 }
 
 fn sweep() -> Table {
@@ -165,7 +165,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
          [secondary]\nname = 'A'\nrange = [-1.0, 1.0]\n[motion]\nforce = 'F_0*cos(t) + A - x - kappa*x^3 - zeta*v - 1'\n\
          frequency = '1'\n[impact]\nrestitution = '0.9'\nduration = '0'\n[analysis]\nloops = [1, 2]\n"
     );
-    let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
+    let mut drawn = figure("diagram", Title::plain("two-parameter bifurcation diagram"));
     // The panel names the columns that it shows, as titles of parameters do not.
     if let Some(Element::Panel(panel)) = drawn.sheet.elements.last_mut() {
         (panel.columns, panel.tables) = (Some(["F_0", "A"].map(str::to_owned)), vec!["points"]);
@@ -248,16 +248,19 @@ pub(crate) fn report() -> Report<'static> {
     let file = |path: &str| FileDigest::of(path, path.as_bytes());
     Report {
         missing: vec![HOSTILE.to_owned()],
-        figures: vec![figure("fig98", "Figure 98: a line"), figure("fig99", "Figure 99: another line")],
+        figures: vec![
+            figure("fig98", Title::figure(98, "a line")),
+            figure("fig99", Title::figure(99, "another line")),
+        ],
         tables: vec![TableOutput {
             name: "sweep".to_owned(),
-            title: HOSTILE.to_owned(),
+            title: HOSTILE.to_owned().into(),
             tables: vec![sweep()],
         }],
         beyond: Part {
             tables: vec![TableOutput {
                 name: "open".to_owned(),
-                title: HOSTILE.to_owned(),
+                title: HOSTILE.to_owned().into(),
                 tables: Vec::new(),
             }],
             ..Part::default()
