@@ -89,7 +89,8 @@ pub fn draw_one_parameter(
     let width = width.mm(WIDTH_MM);
     let narrow = width < WIDE_MM;
     let in_a_row = if narrow { IN_A_ROW / 2 } else { IN_A_ROW };
-    let caption = Caption { across: &across, titles: [&x, &y], table: portrait_tables };
+    let plane = names.columns().map(|_| ["x", "y"].map(str::to_owned));
+    let caption = Caption { across: &across, titles: [&x, &y], columns: plane, table: portrait_tables };
     let portraits = Portraits::new(&Fonts::load()?, figure, caption, in_a_row, width * POINTS_PER_MM)?;
     let portraits_end = portraits.height();
     let height = match magnified {
@@ -296,6 +297,21 @@ mod tests {
             assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
         }
         assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.855$ N)".to_owned()), "{texts:?}");
+    }
+
+    #[test]
+    fn portraits_name_their_columns_whatever_the_unit() {
+        let [figure, _] = in_both_roles(sample([1.0, 1.0], 2));
+        let [length, time] = ["mm", "s"].map(|unit| Some(unit.to_owned()));
+        for names in [
+            Names::new("A", "omega"),
+            Names::new("A", "omega").with_units(UnitNames { length, time, ..UnitNames::default() }),
+        ] {
+            let svg = drawn(&figure, &names, SheetWidth::Paper).svg();
+            assert!(svg.contains("data-only=\"portrait 2\" data-columns=\"x y\""), "{svg}");
+        }
+        // Those of the paper are named by their titles.
+        assert!(!drawn(&figure, &Names::of_the_paper(), SheetWidth::Paper).svg().contains("data-columns"));
     }
 
     #[test]

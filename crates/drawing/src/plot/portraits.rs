@@ -43,6 +43,8 @@ pub(crate) struct Caption<'a> {
     pub(crate) across: &'a str,
     /// The titles of the axes of a portrait.
     pub(crate) titles: [&'a str; 2],
+    /// The columns of the axes of a portrait, unless these are those of their titles.
+    pub(crate) columns: Option<[String; 2]>,
     /// The table with the rows of the portraits.
     pub(crate) table: &'a [&'static str],
 }
@@ -169,6 +171,7 @@ impl<'a> Portraits<'a> {
             let bounds = Bounds { left, top, right: left + self.width - WALL_THICKNESS, bottom };
             let panel = Panel {
                 tables: caption.table,
+                columns: caption.columns.clone(),
                 only: Some(("portrait", number)),
                 numbers_beside: column == 0,
                 ..Panel::new(canvas, *frame, bounds)

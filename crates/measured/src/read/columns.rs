@@ -10,10 +10,7 @@ pub const POINTS: Columns = &[
     ("{secondary}", "the secondary parameter, likewise"),
     ("{primary}_error", "its standard error; empty or left out if unknown"),
     ("{secondary}_error", "its standard error; likewise"),
-    (
-        "seen",
-        "`none` (no impacts), `periodic`, `irregular`, or a bifurcation: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`",
-    ),
+    ("seen", "`none` (no impacts), `periodic`, `irregular`, or a bifurcation, such as `SN`"),
     ("periods", "forcing periods after which periodic motion repeats; for `none`, 1 if empty"),
     ("impacts", "impacts in these periods"),
     ("p", "for a bifurcation, the number of loops; empty if unknown"),
