@@ -1,5 +1,6 @@
 //! The files of the page, with a server and without one.
 
+use grazing_continuation::bifurcation::Bifurcation;
 use std::fs;
 use std::path::Path;
 
@@ -47,5 +48,30 @@ fn all_files_of_the_page_are_served_and_all_that_these_load_is_there() {
         for foreign in ["https://", "//cdn", "eval(", "innerHTML"] {
             assert!(!text.contains(foreign), "{name}: {foreign}");
         }
+    }
+}
+
+#[test]
+fn kinds_of_curves_are_listed_by_the_program_alone() {
+    let files: Vec<(&str, String)> = alone("grazing", &[])
+        .into_iter()
+        .filter_map(|(name, content)| Some((name, String::from_utf8(content).ok()?)))
+        .collect();
+    let (_, kinds) = files.iter().find(|(name, _)| *name == "kinds.js").expect("it is there");
+    let quoted = |kind: Bifurcation| format!("\"{}\"", kind.name());
+    let all = Bifurcation::ALL.map(quoted).join(",");
+    assert!(kinds.starts_with(&format!("export const KINDS = [{all}];")), "{kinds}");
+    for kind in Bifurcation::ALL {
+        assert!(
+            kinds.contains(&format!("\"legend\":\"{}", kind.name().replace("graz", "grazing"))),
+            "{kinds}"
+        );
+    }
+    // A part that asks for one kind may name it, but nothing names those that only a list would.
+    for (name, text) in files.iter().filter(|(name, _)| *name != "kinds.js") {
+        let listed = [Bifurcation::Torus, Bifurcation::Pitchfork].map(|kind| {
+            text.split(|letter: char| !letter.is_ascii_alphanumeric()).any(|word| word == kind.name())
+        });
+        assert_eq!(listed, [false; 2], "{name}");
     }
 }
