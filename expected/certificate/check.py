@@ -219,26 +219,26 @@ class Line:
         require(v > 0 and block.curvature > 0 and block.first <= time * block.cells <= block.last + 1, "the time of a block may be outside of it, or the curvature not positive")
         return (f - g.abs_upper() ** 2 / (2 * block.curvature)).lower(), time + arb(0, g.abs_upper() / (2 * PI * block.curvature))
 
-    def ratio(self, nu, time):
-        """psi/(1 - cos): the inverse of the velocity at which motion touches the wall at a time."""
+    def contact(self, nu, time):
+        """(1 - cos)/psi: the velocity at which motion touches the wall at a time."""
         rise, distance = (self.o.distance(nu, self.motion(nu, lambda nu: v + 0 * nu), time) for v in (0, 1))
-        return (rise - distance) / rise
+        return 2 * (PI * time).sin() ** 2 / (rise - distance)
 
     def changes_order_once(self, events, lower, upper, which):
         """That at exactly one nu two events come at the same velocity: that stability begins or ends (None), and contact in blocks,
         whose curvatures are those of motion with velocities up to `upper`."""
         limit = lambda nu: self.o.limit(self.p, nu, which)
-        ratio = lambda nu, event, time: 1 / limit(nu) if event is None else self.ratio(nu, time)
+        at = lambda nu, event, time: limit(nu) if event is None else self.contact(nu, time)
         rates = []
         for event in events:
             time = event and self.minimum(lower, event)[1].union(self.minimum(upper, event)[1])
-            rates.append(ratio(arb_series([self.all, 1]), event, arb_series([time]) if event else None)[1])
+            rates.append(at(arb_series([self.all, 1]), event, arb_series([time]) if event else None)[1])
         require(rates[0] < rates[1] or rates[0] > rates[1], "the two events may coincide more than once")
 
         def comes_first(one, two, end):
             nu = arb_series([exact(end), 1])
             if two:
-                velocity = lambda nu: 1 / ratio(nu, one, one and one.time(nu))
+                velocity = lambda nu: at(nu, one, one and one.time(nu))
                 return (upper(nu) - velocity(nu))[0] > 0 and self.minimum(velocity, two, end)[0] > 0
             return self.o.distance(nu, self.motion(nu, limit), one.time(nu))[0] < 0 and limit(nu)[0] > 0
         orders = [[comes_first(*pair, end) for pair in (events, events[::-1])] for end in (self.left, self.right)]

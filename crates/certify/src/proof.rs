@@ -25,6 +25,10 @@ pub type Guess<'g> = dyn Fn([f64; 2]) -> Witness<2> + 'g;
 
 /// Only intervals of width at most `2^-FINE` may be claimed to contain a codimension-two point.
 pub const FINE: u32 = 24;
+/// Derivatives with respect to ν are counted in the width of the interval, or in `2^-FINEST_UNIT` if that is
+/// greater: where damping is weak, third derivatives in units of ν are greater than balls can be, while what
+/// is finer than this loses digits.
+const FINEST_UNIT: u32 = 16;
 /// The numbers of cells per period that are tried, and whether the distance is taken as a function of ν
 /// in each cell, by Taylor's theorem, where the ranges of its coefficients are not enough.
 const CELLS: [(i64, bool); 4] = [(64, false), (64, true), (256, true), (1024, true)];
@@ -41,7 +45,7 @@ impl<'a> Model<'a> {
     }
 
     fn new(statement: &'a Statement, interval: Interval, [at, over_all]: [Ball; 2]) -> Self {
-        let nu = Series::variable(at, over_all);
+        let nu = Series::variable(at, over_all, Ball::dyadic(1, interval.level.min(FINEST_UNIT)));
         let family = statement.oscillator.family(interval.p, nu);
         Self { statement, interval, family, offset: nu - interval.origin().into() }
     }
@@ -59,12 +63,14 @@ impl<'a> Model<'a> {
     }
 
     /// The range of a function of ν over the interval. `order` is the number of times the function
-    /// vanishes at a resonance of one loop: there the function is divided by that power of `|u|`, and the
-    /// result is the ball of all numbers unless the zeros are exact.
+    /// vanishes at a resonance of one loop: there the function is divided by that power of `|u|`, u being
+    /// counted in the unit of derivatives, and the result is the ball of all numbers unless the zeros are
+    /// exact.
     fn values(&self, function: Series, order: usize) -> Ball {
         let ([near, far], [at, over_all]) = (function.0, self.family.nu.0);
         let at_resonance = self.interval.base != Base::Middle && self.offset.0[0][0] == Ball::ZERO;
-        let (order, offset) = (if at_resonance { order } else { 0 }, over_all[0] - at[0]);
+        let order = if at_resonance { order } else { 0 };
+        let offset = (over_all[0] - at[0]) * Ball::from(1_i64 << self.interval.level.min(FINEST_UNIT));
         if near[..order] != [Ball::ZERO; 4][..order] {
             return Ball::ANY;
         }
@@ -311,33 +317,35 @@ impl<'a> Model<'a> {
         [distance - slope.top() * slope.top() * curvature * Ball::ratio(1, 2), time + away]
     }
 
-    /// `ψ/(1 − cos θ)` at a time: the inverse of the velocity at which motion touches the wall at that
-    /// time.
-    fn ratio(&self, time: Series) -> Series {
+    /// `(1 − cos θ)/ψ` at a time: the velocity at which motion touches the wall at that time. Beside a whole
+    /// turn `1 − cos θ = 2 sin² (θ/2)` is known to more digits for a range of times than the difference is, and
+    /// the inverse of the velocity would be too great for balls.
+    fn contact(&self, time: Series) -> Series {
         let [[rise], [distance]] = [Ball::ZERO, Ball::ONE].map(|v| self.distance(v.into(), time));
-        (rise - distance) * rise.inverse()
+        let (sine, _) = (time * Ball::ratio(1, 2).into()).turn();
+        (sine * sine + sine * sine) * (rise - distance).inverse()
     }
 
     /// Whether a row contains exactly one point. Two events must occur in opposite orders at the two ends
-    /// of the interval, and the inverses of their velocities must change with ν at different rates, so
-    /// that they coincide at exactly one ν. The events are contact in a block, and either contact in
-    /// another block or the beginning or end of stability (`None`). Contact in a block occurs at the
-    /// inverse of the greatest ratio in it, which changes at the rate of the ratio at a time of contact.
+    /// of the interval, and their velocities must change with ν at different rates, so that they coincide
+    /// at exactly one ν. The events are contact in a block, and either contact in another block or the
+    /// beginning or end of stability (`None`). Contact in a block occurs at the least of the velocities at
+    /// its times, which changes at the rate of the velocity at a time of contact.
     fn is_point(&self, verdict: Verdict, upper: Witness<3>, clearance: &Clearance) -> bool {
         let Clearance { cells, blocks, open, .. } = clearance;
         let (one, two) = (&blocks[0], blocks[..*open].get(1));
         let multiplier = if verdict == Verdict::Point("SN-GZ") { 1 } else { -1 };
         let limit = |model: &Self| model.family.velocity_at(multiplier);
-        let rate = |event: Option<&Block>| match event {
-            Some(block) => self.ratio(block.contact.into()).0[1][1],
-            None => limit(self).inverse().0[1][1],
+        let rate = |event: Option<&Block>| {
+            let velocity = event.map_or_else(|| limit(self), |block| self.contact(block.contact.into()));
+            velocity.0[1][1]
         };
         let [left, right] = self.interval.ends().map(|nu| Self::at(self.statement, self.interval, nu));
         // Whether one event comes before the other. At the time `nearest` of a block, motion is not in
         // contact at a lower velocity than the block is; the block's curvature is a bound for velocities
         // up to `upper`.
         let before = |model: &Self, first: Option<&Block>, second: Option<&Block>| {
-            let contact = |block: &Block| model.ratio(model.witness(block.nearest)).inverse();
+            let contact = |block: &Block| model.contact(model.witness(block.nearest));
             let velocity = first.map_or_else(|| limit(model), contact);
             let room = || model.values(model.witness(upper) - velocity, 0);
             second.map_or_else(

@@ -21,7 +21,8 @@ pub struct Resonance {
     pub n: u32,
     /// The numbers of the resonance, in the order of [`NAMES`].
     pub numbers: [Ball; NAMES.len()],
-    /// The hypotheses of Theorem 2.4 or 2.5 that could not be proved, without commas; empty if all hold.
+    /// The hypotheses of Theorem 2.4 or 2.5 that could not be proved, without commas, and whether there are numbers
+    /// of which no digit is certain; empty if all hold and there are none.
     pub missing: Vec<&'static str>,
 }
 
@@ -53,7 +54,7 @@ impl Resonance {
         let (decay, sine, cosine) = oscillator.free(nu, one);
         let (delta, tau) = (decay * decay, two * decay * cosine);
         let trapesium = [delta, one - delta, one + delta - tau, one + delta + tau];
-        let off_diagonal = oscillator.family(loops, Series::variable(nu, nu)).b;
+        let off_diagonal = oscillator.family(loops, Series::variable(nu, nu, one)).b;
         let beta = (one + delta - tau) * amplitude.inverse();
         let hypotheses = [
             ("(tau; delta) in T", trapesium.into_iter().all(Ball::is_positive)),
@@ -70,9 +71,9 @@ impl Resonance {
         ];
         let numbers =
             [omega, amplitude, s_plus, s_minus, saddle_node, period_doubling, s_minus * criticality];
-        let fit =
-            ("a number is too large for the balls", numbers.iter().all(|number| number.units().is_some()));
-        let missing = hypotheses.into_iter().chain([fit]).filter(|(_, holds)| !holds).map(|(name, _)| name);
+        // Some are too great for balls, or less than these can tell from zero.
+        let known = ("a digit of each number", numbers.iter().all(|number| number.to_string() != "?"));
+        let missing = hypotheses.into_iter().chain([known]).filter(|(_, holds)| !holds).map(|(name, _)| name);
         Self { p, n, numbers, missing: missing.collect() }
     }
 

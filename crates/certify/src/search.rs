@@ -254,7 +254,8 @@ impl<'a> Attempt<'a> {
             let second = sight.contacts.get(1).map_or(f64::INFINITY, |contact| contact[0]);
             let next = second.min(sight.end) - sight.graze();
             let next = next.min(sight.graze() - sight.limit);
-            let room = if is_point { sight.graze() } else { sight.graze().min(next) };
+            // Beside a point the time of contact must be known well, also at low velocities.
+            let room = if is_point { 0.02 * sight.graze() } else { sight.graze().min(next) };
             (0.1 * room).min(share * Statement::width().to_f64() / slope)
         });
         let half_width = half_widths.into_iter().fold(f64::INFINITY, f64::min);

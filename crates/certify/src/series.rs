@@ -29,14 +29,15 @@ impl Number for f64 {
 
 /// A function f, by its Taylor coefficients `f(x)`, `f'(x)`, `f''(x)/2` and `f'''(x)/6`: at one x, and
 /// over a whole interval. By Taylor's theorem, the first three at one x and the last over the interval
-/// bound f throughout it.
+/// bound f throughout it. The variable may itself be counted in a unit, so that derivatives are of the
+/// size of what f changes by within that.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Series(pub [[Ball; 4]; 2]);
 
 impl Series {
-    /// The independent variable.
-    pub fn variable(at: Ball, over_all: Ball) -> Self {
-        Self([at, over_all].map(|x| [x, Ball::ONE, Ball::ZERO, Ball::ZERO]))
+    /// The independent variable, which derivatives count in multiples of a unit.
+    pub fn variable(at: Ball, over_all: Ball, unit: Ball) -> Self {
+        Self([at, over_all].map(|x| [x, unit, Ball::ZERO, Ball::ZERO]))
     }
 
     fn constants(values: [Ball; 2]) -> Self {

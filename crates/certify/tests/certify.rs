@@ -103,7 +103,7 @@ fn balls_that_do_not_fit_prove_nothing() {
 #[test]
 fn series_are_derivatives() {
     for nu in [1.1, 1.7, 2.3] {
-        let family = OSCILLATOR.family(2, Series::variable(Ball::from(nu), Ball::from(nu)));
+        let family = OSCILLATOR.family(2, Series::variable(Ball::from(nu), Ball::from(nu), Ball::ONE));
         let step = 1e-4;
         let [low, high] = [nu - step, nu + step].map(|nu| OSCILLATOR.family(2, nu));
         for (series, difference) in [(family.c, high.c - low.c), (family.big_p, high.big_p - low.big_p)] {
@@ -361,14 +361,33 @@ fn strong_damping_leaves_nothing_undecided() {
     assert!(rows.iter().any(|row| row.verdict == Verdict::None));
 }
 
-/// Beside a PD-GZ point of weakly damped motion, the time of contact changes fast.
+/// Where the time of contact changes fast, beside a PD-GZ point of weakly damped motion; where third
+/// derivatives are greater than balls can be, beside a resonance; and where motion touches the wall next to a
+/// whole turn, at velocities of 10⁻⁶.
 #[test]
-fn weak_damping_is_decided_beside_its_points() {
-    let statement = statement([0.006, 0.99], [0.49997, 0.49998], [0.0, 1.3], &[1]);
-    let rows = prove(&statement, |_| (), || (), || false);
-    let undecided: Vec<&Row> =
-        rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_))).collect();
-    assert!(undecided.is_empty(), "{undecided:?}");
+fn weak_and_strong_damping_are_decided_where_they_are_hardest() {
+    for (constants, frequency, p) in [
+        ([0.006, 0.99], [0.49997, 0.49998], 1),
+        ([0.0042, 0.05], [0.9985, 0.9986], 1),
+        ([0.001, 0.3], [1.0001, 1.0002], 1),
+        ([0.5, 0.05], [0.692585, 0.692605], 3),
+        ([0.3, 0.0001], [0.423889, 0.423891], 3),
+    ] {
+        let statement = statement(constants, frequency, [0.0, 1.3], &[p]);
+        let rows = prove(&statement, |_| (), || (), || false);
+        let undecided: Vec<&Row> =
+            rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_))).collect();
+        assert!(undecided.is_empty(), "{constants:?}: {undecided:?}");
+    }
+}
+
+/// A coefficient of the order of e⁻⁹⁰ has no digit that balls could show, which is said.
+#[test]
+fn a_number_without_a_digit_is_not_shown() {
+    let [weak, strong] = [0.02, 0.9].map(|zeta| statement([zeta, 0.3], [0.37, 0.38], [0.0, 1.3], &[3]));
+    let missing = |statement: &Statement| Resonance::new(&statement.oscillator, 3, 1).missing;
+    assert_eq!(missing(&weak), Vec::<&str>::new());
+    assert_eq!(missing(&strong), ["a digit of each number"]);
 }
 
 /// For four loops, stability and contact begin at velocity zero at resonances of one and of two loops.
