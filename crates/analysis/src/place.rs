@@ -5,6 +5,7 @@ use grazing_model::orbit::OrbitEnd;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_results::Stability;
 use grazing_results::place::{
     AtPlace, BasinState, PlaceAttractor, PlaceImpact, PlaceMotion, PlaceSolution, Simulated, SimulatedImpact,
     SimulatedMotion,
@@ -120,7 +121,7 @@ pub fn at_place(
             impact_phase: centred(solution.impact[1]),
             trace,
             determinant,
-            stable: solution.multipliers.stable(),
+            stable: Stability::of(solution.multipliers),
             admissible: solution.admissible,
         });
     }

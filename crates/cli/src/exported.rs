@@ -6,6 +6,7 @@ use askama::Template;
 use grazing_description::Description;
 use grazing_model::smooth::SmoothOscillator as _;
 use grazing_model::{ImpactOscillator as _, State};
+use grazing_results::Stability;
 use grazing_unfold::place::{Place, Solution, Starts};
 use grazing_unfold::progress::Silent;
 
@@ -110,9 +111,9 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let file = |(path, content): (PathBuf, String)| OutputFile { path, content: content.into_bytes() };
     let files: Vec<OutputFile> = paths.into_iter().zip(contents).map(file).collect();
     terminal::say(&folder::summary(&folder::written(&output, &files)?));
-    let stable = if solution.multipliers.stable() { "stable" } else { "unstable" };
+    let stability = Stability::of(solution.multipliers).name();
     terminal::say(&format!(
-        "p = {}, {stable}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
+        "p = {}, {stability}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
         solution.loops,
         output.display()
     ));

@@ -16,7 +16,7 @@ use crate::tolerances::{
     AGAIN, FORGOTTEN, LOST_POINTS, MOST_OUT_OF_SIGHT, MOST_SHORT_STEPS, NO_VELOCITY, ON_TWO_CURVES,
     OUT_OF_SIGHT, SHORT_STEP, SOUNDED, VIOLENT,
 };
-use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, changes, signs, vanishing};
+use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, TORUS, changes, signs, vanishing};
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
     /// Follows the curve from `start`, in the direction closer to `direction`, until it ends.
@@ -260,6 +260,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
                 }
             }
         }
+        // What has no sign here has that of the points before.
+        now[TORUS] = now[TORUS].or(self.signs.and_then(|past| past[TORUS]));
         self.signs = Some(now);
         if let Some(start) = self.back_at_the_start(&step) {
             self.curve.points.push(start);

@@ -184,6 +184,9 @@ function drawDots(context, dots, values, to, ink, strength) {
   }
 }
 
+/** The widths of branches by their stability, in pixels of the page. */
+const WIDTHS = { stable: 2.4, unstable: 0.9, neutral: 1.6 };
+
 /** The legend of the lines and marks of the cut, and the simulated orbits that are left out. */
 function legend({ strands, left_out: leftOut = [] }) {
   const ink = inks();
@@ -194,9 +197,10 @@ function legend({ strands, left_out: leftOut = [] }) {
   };
   const numbers = [...new Set(strands.map(({ p }) => Math.min(p, ink.loops.length - 1)))].sort();
   const entries = [
-    ...numbers.map((p) => [line(loopsInk(p, ink), 2.4), loopsNames()[p]]),
-    [line(ink.ink, 0.9), "unstable"],
-    [line(ink.ink, 0.9, "3 3", 0.6), "hits the wall in between"],
+    ...numbers.map((p) => [line(loopsInk(p, ink), WIDTHS.stable), loopsNames()[p]]),
+    [line(ink.ink, WIDTHS.unstable), "unstable"],
+    ...(strands.some(({ points }) => points.some(([, , stability]) => stability === "neutral")) ? [[line(ink.ink, WIDTHS.neutral, "9 2"), "neutral"]] : []),
+    [line(ink.ink, WIDTHS.unstable, "3 3", 0.6), "hits the wall in between"],
     [line(ink.ink, 3, "none", FAINTEST), "simulated"],
   ];
   $("cut-legend").replaceChildren(...entries.map(([sample, word]) => make("li", {}, sample, word)), ...(leftOut ?? []).map((words) => make("li", {}, `Left out: ${words}`)));
@@ -211,11 +215,11 @@ function drawFound(context, { strands, bifurcations, dots, values, old }, to, in
     for (let at = 1; at <= points.length; at += 1) {
       const same = at < points.length && points[at][2] === points[from][2] && points[at][3] === points[from][3];
       if (same) continue;
-      const [, , stable, admissible] = points[from];
+      const [, , stability, admissible] = points[from];
       context.strokeStyle = loopsInk(p, ink);
       context.globalAlpha = (admissible ? 1 : 0.45) * strength;
-      context.lineWidth = stable && admissible ? 2.4 : 0.9;
-      context.setLineDash(admissible ? [] : [3, 3]);
+      context.lineWidth = admissible ? WIDTHS[stability] : WIDTHS.unstable;
+      context.setLineDash(!admissible ? [3, 3] : stability === "neutral" ? [9, 2] : []);
       context.beginPath();
       for (const run of clipped(points.slice(from, at + 1).map(to), box)) trace(context, run);
       context.stroke();

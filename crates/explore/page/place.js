@@ -91,7 +91,7 @@ class Card {
     const picture = (name, label) => (this[name] = make("canvas", { class: `picture ${name}`, role: "img", "aria-label": label }));
     this.pictures = make("div", { class: "pictures" }, picture("time", "Time series"), picture("phase", "Phase portrait"), picture("strikes", "Impacts by phase and velocity"));
     this.table = make("tbody");
-    const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Impact velocity"], ["multipliers", "Floquet multipliers"], ["stable", ""], ["admissible", "Whether the orbit stays clear of the wall between impacts"]];
+    const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Impact velocity"], ["multipliers", "Floquet multipliers"], ["stability", ""], ["admissible", "Whether the orbit stays clear of the wall between impacts"]];
     const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
     this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
     this.follows = make("p", { class: "row", hidden: true });
@@ -232,7 +232,7 @@ class Card {
     });
     const head = make("li", { class: "head" }, `Reached from ${starts}`);
     this.attractors.replaceChildren(...(rows.length ? [head, ...rows] : [make("li", {}, "No attractor was found.")]), ...others);
-    const mark = (yes) => make("td", { class: yes ? "good" : "muted" }, yes ? "yes" : "no");
+    const mark = (yes, word = yes ? "yes" : "no") => make("td", { class: yes ? "good" : "muted" }, word);
     const focused = this.table.contains(document.activeElement) ? document.activeElement.dataset.key : null;
     const keys = keysOf(solutions);
     const lines = solutions.map((each, index) => {
@@ -241,7 +241,7 @@ class Card {
       const button = make("button", { type: "button", class: "small toggle", "data-key": key, "aria-pressed": pressed, "aria-label": `Draw p = ${each.p}`, onclick: () => this.toggle(key) }, String(each.p));
       button.style.setProperty("--ink", loopsInk(each.p));
       const velocity = each.p === 0 ? "–" : number(each.velocity, 4);
-      return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stable), mark(each.admissible));
+      return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stability === "stable", each.stability), mark(each.admissible));
     });
     this.table.replaceChildren(...lines);
     if (focused !== null) this.table.querySelector(`[data-key="${focused}"]`)?.focus();
@@ -253,7 +253,7 @@ class Card {
   /** Stable solutions that no start has reached, where all motion was looked for. */
   missed() {
     const { solutions, followed } = this.answer;
-    return followed ? [] : solutions.filter(({ stable, admissible, reached }) => stable && admissible && !reached);
+    return followed ? [] : solutions.filter(({ stability, admissible, reached }) => stability === "stable" && admissible && !reached);
   }
 
   /** Follows unsettled motion for longer. */
@@ -293,7 +293,7 @@ class Card {
     const inks = attractorInks(attractors);
     const keys = keysOf(solutions);
     const moving = attractors.map(({ orbit, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: periods ? 1.4 : 0.7, periods, repeats: Boolean(periods) }));
-    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: loopsInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
+    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stability }) => ({ orbit: orbit ?? [], ink: loopsInk(p), wide: 1.4, dashed: stability !== "stable", periods: p || 1, repeats: true }));
     const strikes = attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] }));
     // The attractor of most states is drawn on top.
     drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period });
@@ -303,7 +303,7 @@ class Card {
     const { attractors, solutions } = this.answer;
     const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
     const found = attractors.map((each) => `${nameOf(each)}, ${each.share === null ? shareOf(each, this.answer.states) : `${percent(each.share)} of the states`}`).join("; ");
-    const stable = solutions.filter((each) => each.p > 0 && each.stable && each.admissible).map(({ p }) => p);
+    const stable = solutions.filter((each) => each.p > 0 && each.stability === "stable" && each.admissible).map(({ p }) => p);
     const missed = this.missed().map(({ p }) => p);
     speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${stable.length ? `Stable and admissible: p = ${stable.join(", ")}.` : "No MPS is stable and admissible."}${missed.length ? ` Reached by none of the ${this.answer.states} states: p = ${missed.join(", ")}.` : ""}`);
   }

@@ -39,8 +39,8 @@ function along() {
   const { strands, bifurcations, dots, fixed, ordinate } = cut.shown();
   const across = axes()[fixed === "secondary" ? 0 : 1];
   return [
-    ["what", "branch", "p", across, ordinate.name === "x" ? length() : `${ordinate.name}${unit(ordinate.unit)}`, "stable", "admissible"],
-    ...strands.flatMap(({ p, points }, branch) => points.map(([at, x, stable, admissible]) => ["branch", branch + 1, p, at, x, stable, admissible])),
+    ["what", "branch", "p", across, ordinate.name === "x" ? length() : `${ordinate.name}${unit(ordinate.unit)}`, "stability", "admissible"],
+    ...strands.flatMap(({ p, points }, branch) => points.map(([at, x, stability, admissible]) => ["branch", branch + 1, p, at, x, stability, admissible])),
     ...bifurcations.map(({ kind, p, at, x }) => [kind, null, p, at, x, null, null]),
     ...dots.map(([at, x]) => ["simulated", null, null, at, x, null, null]),
   ];

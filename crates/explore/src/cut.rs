@@ -117,7 +117,7 @@ pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Res
 fn event(found: &OneParameter) -> Value {
     let strand = |rows: &[BranchPoint]| {
         let point = |row: &BranchPoint| {
-            json!([found.across(row), row.x, u8::from(row.stable), u8::from(row.admissible)])
+            json!([found.across(row), row.x, row.stable.name(), u8::from(row.admissible)])
         };
         json!({"p": rows[0].loops, "points": rows.iter().map(point).collect::<Vec<_>>()})
     };

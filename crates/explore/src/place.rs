@@ -5,6 +5,7 @@ use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_results::Stability;
 use grazing_unfold::long_time::{Horizon, MotionKind};
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use serde::Deserialize;
@@ -126,7 +127,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             "velocity": impact[0] * units.velocity(),
             "phase": impact[1],
             "multipliers": eigenvalues(multipliers),
-            "stable": multipliers.stable(),
+            "stability": Stability::of(*multipliers).name(),
             "admissible": admissible,
             "reached": reached,
             "orbit": flights(core::slice::from_ref(orbit)),

@@ -201,9 +201,10 @@ impl Beside<'_> {
         }
         match undecided {
             Some(doubt) => (Agreement::Undecided, doubt),
-            None if loops == 0 => {
-                (Agreement::Disagrees, "motion without impacts is unstable there or hits the wall".to_owned())
-            }
+            None if loops == 0 => (
+                Agreement::Disagrees,
+                "motion without impacts is not stable there, or hits the wall".to_owned(),
+            ),
             None => {
                 (Agreement::Disagrees, format!("no solution of p = {loops} is stable and admissible there"))
             }

@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::Bifurcation;
 
 use crate::readings::{MotionReading, Ordinate, Reading, Sweep};
-use crate::{Frame, Names, Table, Tables, rows, tables, words};
+use crate::{Frame, Names, Stability, Table, Tables, rows, tables, words};
 
 words! {
     /// The kinds of phase portraits.
@@ -25,7 +25,7 @@ rows! {
         visit: u32 = LOOP,
         impact_velocity: f64 = IMPACT_VELOCITY,
         impact_phase: f64 = PHASE_OF_IMPACT,
-        stable: bool = STABLE,
+        stable: Stability = STABLE,
         admissible: bool = ADMISSIBLE,
         branch: u32 = BRANCH,
     }

@@ -70,6 +70,15 @@ impl Stability {
         }
     }
 
+    /// The stability in a word.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable",
+            Self::Neutral => "neutral",
+        }
+    }
+
     /// Whether nearby motion approaches.
     pub fn is_stable(self) -> bool {
         self == Self::Stable
@@ -85,7 +94,7 @@ impl From<bool> for Stability {
 impl From<Stability> for Cell {
     fn from(stability: Stability) -> Self {
         match stability {
-            Stability::Neutral => "neutral".into(),
+            Stability::Neutral => stability.name().into(),
             other => other.is_stable().into(),
         }
     }

@@ -1,7 +1,7 @@
 //! The behaviour of an oscillator at one place of the parameter plane.
 
 use crate::branches::ACCUMULATING;
-use crate::{Names, Table, Tables, rows, tables};
+use crate::{Names, Stability, Table, Tables, brief, rows, tables};
 
 rows! {
     /// An attractor that some of the initial states lead to, or, with the number 0, the motion from them
@@ -28,7 +28,7 @@ rows! {
         impact_phase: f64 = PHASE_OF_IMPACT,
         trace: f64 = TRACE,
         determinant: f64 = DETERMINANT,
-        stable: bool = STABLE,
+        stable: Stability = STABLE,
         admissible: bool = ADMISSIBLE,
     }
 
@@ -129,6 +129,11 @@ impl AtPlace {
         self.attractors.iter().find(|one| one.attractor == number)
     }
 
+    /// The admissible solutions that nearby motion neither approaches nor leaves, so that no attractor shows them.
+    pub fn neutral(&self) -> impl Iterator<Item = &PlaceSolution> {
+        self.solutions.iter().filter(|one| one.stable == Stability::Neutral && one.admissible)
+    }
+
     /// The number of states of the lattice whose motion has not settled in time.
     pub fn undecided(&self) -> usize {
         self.basins.iter().filter(|state| state.attractor == 0 && state.motion == UNSETTLED).count()
@@ -145,6 +150,16 @@ pub fn loops(periods: f64, impacts: f64) -> Option<u32> {
         () if impacts == 0.0 && periods == 1.0 => Some(0),
         () if (periods * impacts - 1.0).abs() < 0.5 => Some(periods as u32),
         () => None,
+    }
+}
+
+impl PlaceSolution {
+    /// A description of the solution in words.
+    pub fn words(&self) -> String {
+        match self.loops {
+            0 => "motion without impacts".to_owned(),
+            p => format!("the MPS with p = {p} and impact velocity {}", brief(self.impact_velocity, 4)),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Engineering quantities of motion: impact velocities, peak-to-peak amplitudes, forces and power, along
 //! branches and as a parameter is swept up and down.
 
-use crate::{rows, words};
+use crate::{Stability, rows, words};
 
 words! {
     /// The quantities that the vertical axis of a one-parameter diagram can show.
@@ -42,7 +42,7 @@ rows! {
         impulse: f64 = IMPULSE,
         force: f64 = MEAN_FORCE,
         power: f64 = POWER,
-        stable: bool = STABLE,
+        stable: Stability = STABLE,
         admissible: bool = ADMISSIBLE,
         branch: u32 = BRANCH,
     }

@@ -76,7 +76,7 @@ def _line(of: Any, branches: Any, ax: Any) -> None:
     across = max(of.names, key=lambda name: len(set(branches[name])))
     for (*_, stable, admissible), columns in _pieces(branches, ["p", "branch", "loop", "stable", "admissible"], [across, "x"]):
         if admissible:
-            ax.plot(*columns, color="black", linewidth=1.6 if stable else 0.5)
+            ax.plot(*columns, color="black", linewidth={True: 1.6, "neutral": 1.0}.get(stable, 0.5))
     dots = next((of[table] for table in of if table.endswith("attractor")), None)
     if dots:
         ax.plot(dots[across], dots["x"], ",", color="tab:blue", zorder=0)

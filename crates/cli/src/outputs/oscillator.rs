@@ -15,7 +15,7 @@ use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram, StraightenedCurves};
 use grazing_results::readings::{Ordinate, Sweep};
-use grazing_results::{Names, Tables, brief, columns};
+use grazing_results::{Names, Stability, Tables, brief, columns};
 
 use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
@@ -372,8 +372,12 @@ pub(crate) fn one_parameter_figure(
         Some(_) => "; arrowheads up and down: motion as the parameter is swept up and down",
         None => "",
     };
+    let neutral = match diagram.branches.iter().any(|point| point.stable == Stability::Neutral) {
+        true => ", broken ones neutral",
+        false => "",
+    };
     let description = format!(
-        "Below: {across} across, {up} up; thick curves are stable, thin ones unstable; dots are long-term forward \
+        "Below: {across} across, {up} up; thick curves are stable, thin ones unstable{neutral}; dots are long-term forward \
              orbits{sweeps}. Above: phase portraits with the wall."
     );
     let heading = Heading {

@@ -12,7 +12,7 @@ use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
-use grazing_results::{brief, span, with_unit};
+use grazing_results::{Stability, brief, span, with_unit};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::resonances;
 use grazing_unfold::sides::Simulated;
@@ -135,14 +135,12 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
 
 /// The stability of the solution at a point of a grazing curve.
 fn stability(state: &GrazingState) -> &'static str {
-    let multipliers = state.multipliers;
-    match (multipliers.stable(), multipliers.neutral(), state.admissible) {
-        (true, _, true) => "stable",
-        (_, true, true) => "neutral (neither stable nor unstable)",
-        (_, _, true) => "unstable",
-        (true, _, false) => "stable, but inadmissible (beyond the wall at another phase)",
-        (_, true, false) => "neutral and inadmissible (beyond the wall at another phase)",
-        (_, _, false) => "unstable and inadmissible (beyond the wall at another phase)",
+    match (Stability::of(state.multipliers), state.admissible) {
+        (Stability::Neutral, true) => "neutral (neither stable nor unstable)",
+        (stability, true) => stability.name(),
+        (Stability::Stable, false) => "stable, but inadmissible (beyond the wall at another phase)",
+        (Stability::Neutral, false) => "neutral and inadmissible (beyond the wall at another phase)",
+        (Stability::Unstable, false) => "unstable and inadmissible (beyond the wall at another phase)",
     }
 }
 

@@ -50,6 +50,10 @@ pub(crate) fn listing(layout: Layout, places: &[AtPlace], unfinished: &[[f64; 2]
             let words = format!("{} ({} of {} random states)", one.words(), one.states, place.states);
             text.push_str(&layout.wrapped(&at(place.at), &words));
         }
+        for one in place.neutral() {
+            let words = format!("{} is neutral: nearby motion neither approaches nor leaves it", one.words());
+            text.push_str(&layout.wrapped(&at(place.at), &words));
+        }
         if place.undecided() > 0 {
             let counts = format!("{} of {}", place.undecided(), place.basins.len());
             let words = format!("{counts} states of the basins have not settled in time");
@@ -57,4 +61,50 @@ pub(crate) fn listing(layout: Layout, places: &[AtPlace], unfinished: &[[f64; 2]
         }
     }
     text + &missing
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_results::Stability;
+    use grazing_results::place::PlaceSolution;
+
+    use super::*;
+
+    #[test]
+    fn a_neutral_solution_is_named_though_no_attractor_shows_it() {
+        let solution = |loops, stable, admissible| PlaceSolution {
+            place: 1,
+            loops,
+            impact_velocity: 0.25,
+            impact_phase: 0.0,
+            trace: 0.5,
+            determinant: 1.0,
+            stable,
+            admissible,
+        };
+        let neutral = Stability::Neutral;
+        let place = AtPlace {
+            attractors: Vec::new(),
+            solutions: vec![
+                solution(0, neutral, true),
+                solution(1, neutral, true),
+                solution(2, neutral, false),
+                solution(3, true.into(), true),
+            ],
+            motion: Vec::new(),
+            impacts: Vec::new(),
+            basins: Vec::new(),
+            place: 1,
+            at: [0.5, 1.25],
+            states: 24,
+            period: 1.0,
+            from_the_wall: false,
+            lattice: [0, 0],
+        };
+        let text = listing(Layout::new(200), &[place], &[], &Names::new("A", "w"));
+        let lines: Vec<&str> = text.lines().filter(|line| line.contains("neutral")).collect();
+        assert_eq!(lines.len(), 2, "{text}");
+        assert!(lines[0].contains("motion without impacts is neutral"), "{text}");
+        assert!(lines[1].contains("the MPS with p = 1 and impact velocity 0.25 is neutral"), "{text}");
+    }
 }

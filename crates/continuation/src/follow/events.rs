@@ -7,7 +7,9 @@ use crate::bifurcation::Bifurcation;
 use crate::curve::{CurveEnd, Event, SolutionCurve};
 use crate::locate::{Condition, LocateFailure, locate_grazing_end, locate_within};
 use crate::mps::{EventTimes, PeriodicSolution, Stability, Unknowns, unknown};
-use crate::tolerances::{CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
+use crate::tolerances::{
+    CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_TWO_CURVES, STABILITY, TOUCHES_TOO,
+};
 
 pub(super) type CurveStation = Station<Unknowns, EventTimes>;
 
@@ -22,7 +24,10 @@ pub(super) const EVENTS: [Condition; 5] = [
 /// The index of admissibility in [`Signs`].
 pub(super) const INADMISSIBLE: usize = 2;
 
-/// Signs of the functions that vanish at the [`EVENTS`]; `None` where they were not computed.
+/// The index of a product of multipliers of 1 in [`Signs`].
+pub(super) const TORUS: usize = 3;
+
+/// Signs of the functions that vanish at the [`EVENTS`]; `None` where they were not computed, or are not known.
 pub(super) type Signs = [Option<bool>; EVENTS.len()];
 
 /// Largest number of maxima that may reach the wall one after the other within a step.
@@ -44,11 +49,13 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
 
 /// The signs at a solution. On a curve of fixed multiplier the other multiplier is positive or
 /// negative throughout: only grazing can occur there. On one of fixed product both can become 1 or
-/// −1.
+/// −1. Where the product of the multipliers is 1 but for rounding, as it is everywhere without damping, its
+/// deviation has no sign.
 pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
     EVENTS.map(|event| match event {
         Condition::InteriorGrazing => Some(solution.touches()),
         _ if along.fixes_a_multiplier() || event == along => None,
+        Condition::TORUS if (stability.multipliers.determinant - 1.0).abs() <= STABILITY => None,
         _ => vanishing(event, stability).map(|value| value > 0.0),
     })
 }

@@ -190,7 +190,7 @@ mod tests {
                 visit: 1,
                 impact_velocity: f64::NAN,
                 impact_phase: f64::NAN,
-                stable: k % 101 < 60,
+                stable: (k % 101 < 60).into(),
                 admissible: true,
                 branch: k / 101,
             }

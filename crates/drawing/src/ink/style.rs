@@ -156,6 +156,8 @@ pub const fn branch_pen(p: u32, width: f64) -> Pen {
 
 pub(crate) const STABLE_WIDTH: f64 = 1.7;
 pub(crate) const UNSTABLE_WIDTH: f64 = 0.55;
+pub(crate) const NEUTRAL_WIDTH: f64 = 1.1;
+pub(crate) const NEUTRAL_DASHES: &[f64] = &[6.0, 1.4];
 /// The paint of an attractor's points, by the number in one bin: 1, 2 to 3, more.
 pub(crate) const CLOUD: [Paint; 3] = [
     Paint { colour: CLOUD_COLOUR, opacity: 0.6 },

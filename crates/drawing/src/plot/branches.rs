@@ -3,17 +3,17 @@
 use core::cmp::Reverse;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::Names;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::readings::Sweep;
+use grazing_results::{Names, Stability};
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Bounds, Spot, length, near};
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::style::{
-    CLOUD, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, SWEEP_DOWN,
-    SWEEP_SIZE, SWEEP_UP, THRESHOLD, UNSTABLE_WIDTH, branch_pen,
+    CLOUD, LABEL_SIZE, NEUTRAL_DASHES, NEUTRAL_WIDTH, POINT_RADIUS, POINT_RIM, Paint, Pen, SMALL_LABEL_SIZE,
+    STABLE_WIDTH, SWEEP_DOWN, SWEEP_SIZE, SWEEP_UP, THRESHOLD, UNSTABLE_WIDTH, branch_pen,
 };
 use crate::plot::axes::Panel;
 use crate::plot::cloud::{LONG_TIME, draw_cloud};
@@ -111,8 +111,8 @@ pub(crate) fn diagram(
     labels.draw()
 }
 
-/// Draws a strand, thick where stable and thin where unstable, with gaps only where it is inadmissible;
-/// returns the drawn pieces.
+/// Draws a strand, thick where stable, thin where unstable and broken where neutral, with gaps only where it
+/// is inadmissible; returns the drawn pieces.
 fn strand_pieces(panel: &Panel<'_>, figure: &OneParameter, strand: &[BranchPoint]) -> Vec<Vec<Spot>> {
     let place = |point: &BranchPoint| match point.admissible {
         true => (figure.across(point), point.x),
@@ -122,11 +122,15 @@ fn strand_pieces(panel: &Panel<'_>, figure: &OneParameter, strand: &[BranchPoint
     let mut start = 0;
     for run in strand.chunk_by(|a, b| a.stable == b.stable) {
         let BranchPoint { loops, stable, .. } = run[0];
-        let (meaning, width) = if stable { ("stable", STABLE_WIDTH) } else { ("unstable", UNSTABLE_WIDTH) };
-        panel.canvas.explain(meaning, Sample::Line(branch_pen(0, width)));
+        let pen = |loops| match stable {
+            Stability::Stable => branch_pen(loops, STABLE_WIDTH),
+            Stability::Unstable => branch_pen(loops, UNSTABLE_WIDTH),
+            Stability::Neutral => Pen { dashes: NEUTRAL_DASHES, ..branch_pen(loops, NEUTRAL_WIDTH) },
+        };
+        panel.canvas.explain(stable.name(), Sample::Line(pen(0)));
         let end = start + run.len();
         let points: Vec<_> = strand[start..(end + 1).min(strand.len())].iter().map(place).collect();
-        pieces.extend(panel.line(&points, branch_pen(loops, width)));
+        pieces.extend(panel.line(&points, pen(loops)));
         start = end;
     }
     pieces
@@ -147,7 +151,7 @@ mod tests {
         let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
         let frame = Frame { x: [0.0, 3.0], y: [-1.0, 1.0] };
         let panel = Panel::new(&canvas, frame, bounds);
-        let point = |(primary, x, stable)| BranchPoint {
+        let point = |(primary, x, stable): (f64, f64, Stability)| BranchPoint {
             diagram: 1,
             loops: 2,
             secondary: 0.855,
@@ -160,11 +164,18 @@ mod tests {
             admissible: true,
             branch: 1,
         };
-        let strand = [(0.0, 0.0, false), (1.0, 0.1, false), (2.0, 0.4, true), (3.0, 0.9, true)].map(point);
+        let [stable, neutral, unstable] = [true.into(), Stability::Neutral, false.into()];
+        let strand = [(0.0, 0.0, unstable), (1.0, 0.1, unstable), (2.0, 0.4, neutral), (2.5, 0.6, stable)];
+        let strand = strand.into_iter().chain([(3.0, 0.9, stable)]).map(point).collect::<Vec<_>>();
         let pieces = strand_pieces(&panel, &empty(frame), &strand);
-        assert_eq!(panel_points(&pieces), [3, 2]);
-        assert_eq!(pieces[0].last(), pieces[1].first());
-        let svg = canvas.finish("test", "", "").unwrap().svg();
-        assert!(svg.contains("stroke-width=\"0.55\"") && svg.contains("stroke-width=\"1.7\""));
+        assert_eq!(panel_points(&pieces), [3, 2, 2]);
+        assert!(pieces.windows(2).all(|pair| pair[0].last() == pair[1].first()));
+        let sheet = canvas.finish("test", "", "").unwrap();
+        let words: Vec<&str> = sheet.legend.iter().map(|(words, _)| words.as_str()).collect();
+        assert_eq!(words, ["unstable", "neutral", "stable"]);
+        let svg = sheet.svg();
+        assert!(
+            ["0.55", "1.1", "1.7"].iter().all(|width| svg.contains(&format!("stroke-width=\"{width}\"")))
+        );
     }
 }

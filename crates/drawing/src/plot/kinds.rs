@@ -2,6 +2,7 @@
 //! codimension-two points, regions.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::Stability;
 use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
 use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SpecialPoint};
 
@@ -25,7 +26,7 @@ fn approximation(bifurcation: Bifurcation) -> Pen {
     Pen::dashed(on_light, CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
 }
 
-/// The pen of a grazing curve where the grazing solution is unstable.
+/// The pen of a grazing curve where the grazing solution is not stable.
 fn dotted(bifurcation: Bifurcation) -> Pen {
     let [colour, _] = CurveLook::of(bifurcation).colours;
     Pen::dashed(colour, CurveLook::DOT, CurveLook::DOTS)
@@ -61,6 +62,8 @@ pub enum TraceOf {
     Bifurcation,
     /// A part of a grazing curve along which the grazing solution is unstable: no region ends there.
     UnstableGrazing,
+    /// The same where it is neutral.
+    NeutralGrazing,
     /// The quadratic approximation to a curve.
     Approximation,
 }
@@ -81,13 +84,11 @@ pub fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
     points.chunk_by(|a, b| place(a) == place(b)).flat_map(traces).collect()
 }
 
-/// A curve as lines: where the grazing solution, if any, is not unstable, and where it is.
-fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
+/// A curve as lines: where the grazing solution, if any, is stable, where it is unstable and where it is neutral.
+fn traces(points: &[PlanePoint]) -> Vec<Trace> {
     let kind = points[0].kind;
     let last = points.len() - 1;
     let bounds = |index: usize| PlanePoint::bounds(points, index);
-    // The dotted part extends to the points at which the solid line begins.
-    let dotted = |index: usize| (index.saturating_sub(1)..=last.min(index + 1)).any(|index| !bounds(index));
     let shown = |of, drawn: &dyn Fn(usize) -> bool| {
         let spot = |(index, point): (usize, &PlanePoint)| match point.admissible && drawn(index) {
             true => (point.primary, point.secondary),
@@ -95,9 +96,14 @@ fn traces(points: &[PlanePoint]) -> impl Iterator<Item = Trace> {
         };
         Trace { kind, of, points: points.iter().enumerate().map(spot).collect() }
     };
-    let unstable = (0..=last).any(|index| !bounds(index));
-    let grazing = unstable.then(|| shown(TraceOf::UnstableGrazing, &dotted));
-    [shown(TraceOf::Bifurcation, &bounds)].into_iter().chain(grazing)
+    let dotted = [(TraceOf::UnstableGrazing, false), (TraceOf::NeutralGrazing, true)].into_iter();
+    let grazing = dotted.filter_map(|(of, neutral)| {
+        let is = |index: usize| !bounds(index) && (points[index].stable == Stability::Neutral) == neutral;
+        // The dotted part extends to the points at which the solid line begins.
+        let near = |index: usize| (index.saturating_sub(1)..=last.min(index + 1)).any(is);
+        (0..=last).any(is).then(|| shown(of, &near))
+    });
+    [shown(TraceOf::Bifurcation, &bounds)].into_iter().chain(grazing).collect()
 }
 
 /// Draws curves, with the wide grazing curve at the bottom and approximations above the curves that they
@@ -112,8 +118,9 @@ pub fn draw_curves(
     for Trace { kind, of, points } in &curves {
         let (pen, meaning) = match of {
             TraceOf::Bifurcation => (pen(*kind), meaning(*kind)),
-            TraceOf::UnstableGrazing => {
-                (dotted(*kind), format!("{}, where that is unstable", CurveLook::of(*kind).meaning))
+            TraceOf::UnstableGrazing | TraceOf::NeutralGrazing => {
+                let stability = if *of == TraceOf::NeutralGrazing { "neutral" } else { "unstable" };
+                (dotted(*kind), format!("{}, where that is {stability}", CurveLook::of(*kind).meaning))
             }
             TraceOf::Approximation => {
                 (approximation(*kind), format!("quadratic approximation to {}", kind.name()))

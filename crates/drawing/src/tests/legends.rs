@@ -1,6 +1,7 @@
 //! Tests of the entries in a diagram's legend, and of their pens.
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::Stability;
 use grazing_results::kinds::{Colour, CurveLook};
 use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::plane::{PlanePoint, RegionKind};
@@ -104,9 +105,15 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
         sample.diagram.curves[index].stable = false.into();
     }
     assert_eq!(lines(&sample), 0);
-    for index in &indices[20..60] {
-        sample.diagram.curves[*index].stable = false.into();
-    }
+    let [neutral, meaning] = [Stability::Neutral, false.into()].map(|stability| {
+        for index in &indices[20..60] {
+            sample.diagram.curves[*index].stable = stability;
+        }
+        assert_eq!(lines(&sample), 2, "once in the figure and once in its legend");
+        let sheet = drawn(&sample);
+        [explained(&sheet, &unstable), explained(&sheet, &unstable.replace("unstable", "neutral"))]
+    });
+    assert!(matches!((neutral, meaning), ([None, Some(_)], [Some(_), None])));
     let sheet = drawn(&sample);
     assert!(explained(&sheet, &unstable).unwrap().contains(&hexadecimal(grazing.colours[0])));
     // Once in the figure and once in its legend.

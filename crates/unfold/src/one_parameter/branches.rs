@@ -12,7 +12,7 @@ use grazing_model::OnWall;
 use grazing_model::maps::virtual_map;
 use grazing_model::phase::centred;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
-use grazing_results::span;
+use grazing_results::{Stability, span};
 use nalgebra::Vector2;
 
 use crate::stretches::{Vertex, vertices};
@@ -87,7 +87,7 @@ impl Branch {
         let places = vertices(&self.curve);
         let visits = self.visits(&places);
         let loops = self.equations.loops();
-        let stable = self.stable(&places);
+        let stability = self.stability(&places);
         let mut strands = Vec::new();
         let turn = if self.equations.has_impacts() { LARGEST_TURN } else { f64::INFINITY };
         for visit in 0..loops.max(1) {
@@ -114,7 +114,7 @@ impl Branch {
                     visit: visit + 1,
                     impact_velocity: velocity,
                     impact_phase: centred(phase),
-                    stable: stable[k],
+                    stable: stability[k],
                     admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
                     branch: 0,
                 });
@@ -138,18 +138,18 @@ impl Branch {
         (strands, bifurcations)
     }
 
-    /// Whether the solutions are stable; at y = 0 they are not.
-    pub(super) fn stable(&self, places: &[Vertex<'_>]) -> Vec<bool> {
+    /// The stability of the solutions; at y = 0 they are unstable.
+    pub(super) fn stability(&self, places: &[Vertex<'_>]) -> Vec<Stability> {
         // At a multiplier on the unit circle a solution is given the stability that it has beyond
         // the bifurcation.
         let critical = |event: &Event| matches!(event.condition, Condition::Multiplier(_) | Condition::TORUS);
         let own = |k: usize| match places[k].event {
             Some(event) if critical(event) => None,
-            _ => Some(places[k].solution.stable()),
+            _ => Some(Stability::of(places[k].solution.multipliers)),
         };
         let hits = |at: &Vertex<'_>| !at.solution.has_impacts() || at.solution.impact_velocity() > 0.0;
-        let stable = |k: usize| hits(&places[k]) && (k..places.len()).find_map(own).unwrap_or(false);
-        (0..places.len()).map(stable).collect()
+        let beyond = |k: usize| (k..places.len()).find_map(own).filter(|_| hits(&places[k]));
+        (0..places.len()).map(|k| beyond(k).unwrap_or(Stability::Unstable)).collect()
     }
 
     /// The ranges of μ in which the MPSs are stable and admissible.

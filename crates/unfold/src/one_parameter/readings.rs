@@ -5,6 +5,7 @@ use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
 use grazing_model::phase::{centred, turned};
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_results::Stability;
 use grazing_results::branches::Orbits;
 use grazing_results::readings::{MotionReading, Reading, Sweep};
 use rayon::prelude::*;
@@ -68,8 +69,8 @@ impl Branch {
 
     fn readings(&self) -> Vec<Reading> {
         let places = vertices(&self.curve);
-        let stable = self.stable(&places);
-        let reading = |(at, stable): (&Vertex<'_>, bool)| {
+        let stability = self.stability(&places);
+        let reading = |(at, stable): (&Vertex<'_>, Stability)| {
             let [primary, secondary] = at.solution.parameters();
             let [velocity, phase] = match self.equations.has_impacts() {
                 true => self.equations.impact(at.solution),
@@ -91,7 +92,7 @@ impl Branch {
                 branch: 0,
             }
         };
-        places.iter().zip(stable).map(reading).collect()
+        places.iter().zip(stability).map(reading).collect()
     }
 }
 

@@ -6,6 +6,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_results::Stability;
 use grazing_results::branches::{BranchPoint, OneParameter, Orbits, PortraitKind, PortraitPoint};
 use grazing_results::readings::{MotionReading, Sweep};
 use grazing_unfold::Scope;
@@ -111,7 +112,7 @@ fn where_only_mps_attract_simulation_stays_on_their_branches() {
             // A chord lies between points of a branch.
             let near = at(&diagram, 2, diagram.across(dot))
                 .into_iter()
-                .find(|point| point.stable && (point.x - dot.x).abs() < 1e-4);
+                .find(|point| point.stable.is_stable() && (point.x - dot.x).abs() < 1e-4);
             visited |= 1 << near.unwrap_or_else(|| panic!("{dot:?} lies on no branch")).visit;
         }
         assert_eq!(visited, 0b110);
@@ -131,7 +132,7 @@ fn branches_that_begin_where_motion_of_twice_the_period_grazes_are_found() {
         // Simulation settles on solutions with two loops here.
         for primary in [0.263, 0.419] {
             let here = at(&found, 2, primary);
-            assert!(here.iter().any(|point| point.stable && point.admissible), "{primary}: {here:?}");
+            assert!(here.iter().any(|point| point.stable.is_stable() && point.admissible), "{primary}: {here:?}");
         }
     }
 }
@@ -232,11 +233,17 @@ fn has_portraits(diagram: &OneParameter) {
 
 /// The diagram of an oscillator defined by a text.
 fn described(text: &str, line: Line) -> OneParameter {
+    let (oscillator, scope) = both(text);
+    on(&oscillator, &scope, line, 2, &[])
+}
+
+/// The oscillator of a text, and its scope.
+fn both(text: &str) -> (AnyOscillator, Scope) {
     let model = Description::parse(text, "described").expect("it is right");
     let [primary, secondary] = [model.primary(), model.secondary()].map(|axis| axis.range());
     let window = Window { primary, secondary };
     let scope = Scope { window, loops: model.loops().to_vec(), start: None };
-    on(&model.oscillator([primary[0], secondary[0]]), &scope, line, 2, &[])
+    (model.oscillator([primary[0], secondary[0]]), scope)
 }
 
 #[test]
@@ -275,7 +282,7 @@ fn motion_in_the_other_well_is_on_a_branch() {
     // program's period map.
     for (primary, x) in [(0.01, -0.414_539), (0.01, -2.406_777), (0.05, -0.369_268), (0.05, -2.332_661)] {
         let here = at(&found, 0, primary);
-        let there = |point: &&BranchPoint| point.stable && (point.x - x).abs() < 1e-3;
+        let there = |point: &&BranchPoint| point.stable.is_stable() && (point.x - x).abs() < 1e-3;
         assert!(here.iter().any(|point| there(&point)), "{primary}, {x}: {here:?}");
     }
 }
@@ -345,5 +352,27 @@ fn orbits_whose_impacts_accumulate_are_counted_and_not_called_resting() {
         assert_eq!(orbits.left_out(), [words]);
         // The portrait is of the motion that attracts alone.
         assert!(found.portraits.iter().all(|point| point.portrait == 1) && !found.portraits.is_empty());
+    }
+}
+
+/// The product of the multipliers of every solution is 1, but for rounding.
+#[test]
+fn without_damping_solutions_are_neutral_and_nothing_bifurcates_by_their_product() {
+    for spring in ["-(x + 1)", "-(x + 1) - 0.01*(x + 1)^3"] {
+        let text = format!(
+            "name = \"elastic\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.0, 0.6]\n[secondary]\nname = \"w\"\nrange = [0.7, 0.9]\n\
+             [motion]\nforce = \"{spring} + A*cos(w*t)\"\nfrequency = \"w\"\n[impact]\nrestitution = \"1\"\nduration = \"0\"\n\
+             [analysis]\nloops = [1]\n"
+        );
+        let (oscillator, scope) = both(&text);
+        let line = line(0.8, [0.0, 0.6]);
+        let found = Cut::follow(&oscillator, &scope, &[], line, &Silent).expect("nobody stops it").diagram();
+        for loops in [0, 1] {
+            let own = || found.branches.iter().filter(|point| point.loops == loops);
+            assert!(own().any(|point| point.stable == Stability::Neutral), "{spring}, p = {loops}");
+            assert!(own().all(|point| !point.stable.is_stable()), "{spring}, p = {loops}");
+        }
+        let kinds: Vec<Bifurcation> = found.bifurcations.iter().map(|one| one.kind).collect();
+        assert!(!kinds.contains(&Bifurcation::Torus), "{spring}: {kinds:?}");
     }
 }

@@ -142,7 +142,7 @@ fn impact_velocities_in_a_cut_are_those_of_the_solutions_at_a_place() {
             (0.0..=1.0).contains(&part) && (from[1] + part * (to[1] - from[1]) - velocity).abs() < 1e-3
         });
         assert!(passes, "{solution}");
-        if solution["stable"] == true && solution["admissible"] == true {
+        if solution["stability"] == "stable" && solution["admissible"] == true {
             let dots =
                 dots["dots"].as_array().unwrap().iter().filter(|dot| (number(&dot[0]) - across).abs() < 2e-3);
             assert!(

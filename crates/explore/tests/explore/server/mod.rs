@@ -291,7 +291,7 @@ fn places_tell_solutions_and_what_random_states_come_to() {
     let busy = at([0.9, 0.8]);
     let solutions = busy["solutions"].as_array().unwrap();
     let good = |solution: &&Value| {
-        solution["p"] != 0 && solution["stable"] == true && solution["admissible"] == true
+        solution["p"] != 0 && solution["stability"] == "stable" && solution["admissible"] == true
     };
     let found: Vec<&Value> = solutions.iter().filter(good).collect();
     assert!(!found.is_empty(), "{busy}");
@@ -321,7 +321,7 @@ fn of_stable_solutions_those_that_no_start_reaches_are_marked() {
             server.post("place", &json!({"model": {"text": null}, "at": at, "orbits": false}).to_string());
         let told: Value = answer.parse().unwrap();
         let stable = told["solutions"].as_array().unwrap().clone().into_iter();
-        let stable = stable.filter(|one| one["stable"] == true && one["admissible"] == true);
+        let stable = stable.filter(|one| one["stability"] == "stable" && one["admissible"] == true);
         stable.map(|one| json!([one["p"], one["reached"]])).collect::<Vec<_>>()
     };
     assert_eq!(reached([0.825, 0.95]), [json!([1, true]), json!([2, false])]);
@@ -394,6 +394,31 @@ fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
         json!({"model": {"text": moved, "loops": [1]}, "fixed": "primary", "at": 0.0, "range": [0.9, 1.0]});
     let (status, answer) = server.post("cut", &cut.to_string());
     assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+}
+
+#[test]
+fn a_place_and_a_cut_call_neutral_what_is_neither_stable_nor_unstable() {
+    // Few steps are enough for branches; simulation, which takes long without damping, is cut off.
+    let server = Running::new(Limits { steps: 300_000, ..LIMITS });
+    let text = "name = \"elastic\"\n[parameters]\n[primary]\nname = \"A\"\nrange = [0.0, 0.5]\n[secondary]\nname = \"w\"\nrange = [0.7, 0.9]\n\
+                [motion]\nforce = \"-(x + 1) + A*cos(w*t)\"\nfrequency = \"w\"\n[impact]\nrestitution = \"1\"\nduration = \"0\"\n\
+                [analysis]\nloops = [1]\n";
+    let nearby = json!({"solutions": [], "attractors": []});
+    let place = json!({"model": {"text": text}, "at": [0.2, 0.8], "nearby": nearby});
+    let (status, answer) = server.post("place", &place.to_string());
+    assert_eq!(status, 200, "{answer}");
+    let answer: Value = answer.parse().unwrap();
+    let words = |p: u32| -> Vec<&str> {
+        let own = answer["solutions"].as_array().unwrap().iter().filter(|one| one["p"] == p);
+        own.filter_map(|one| one["stability"].as_str()).collect()
+    };
+    assert_eq!(words(0), ["neutral"]);
+    let cut = json!({"model": {"text": text}, "fixed": "secondary", "at": 0.8, "range": [0.1, 0.3]});
+    let (status, answer) = server.post("cut", &cut.to_string());
+    assert_eq!(status, 200, "{answer}");
+    let strands = &events(&answer, "branches")[0]["strands"];
+    let free = strands.as_array().unwrap().iter().find(|strand| strand["p"] == 0).unwrap();
+    assert!(free["points"].as_array().unwrap().iter().all(|point| point[2] == "neutral"), "{free}");
 }
 
 #[test]
