@@ -1,6 +1,6 @@
 //! What can be written on the command line.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand};
@@ -185,6 +185,27 @@ pub struct Claims {
     pub(crate) parameters: ParameterFile,
 }
 
+/// The columns of a CSV that have other names than those that are read.
+#[derive(Debug, Args)]
+pub struct NamedColumns {
+    /// The column of the CSV that holds NAME (a parameter, seen, p, ...), by its name or number; may be given several times
+    #[arg(id = "column", long, value_name = "NAME=COLUMN", value_parser = column)]
+    columns: Vec<(String, String)>,
+}
+
+impl NamedColumns {
+    /// Pairs of a name and a column.
+    ///
+    /// # Errors
+    /// There are some, and no CSV.
+    pub(crate) fn of(&self, csv: Option<&Path>) -> Result<&[(String, String)], Failure> {
+        if csv.is_none() && !self.columns.is_empty() {
+            return Err(Failure::input("--column names columns of a CSV, and none is given"));
+        }
+        Ok(&self.columns)
+    }
+}
+
 /// The arguments of `grazing compare`.
 #[derive(Debug, Args)]
 pub struct Compare {
@@ -194,9 +215,8 @@ pub struct Compare {
     /// The oscillator that these curves belong to, as a text file
     #[arg(long, value_name = "FILE", requires = "curves", conflicts_with = "file")]
     pub oscillator: Option<PathBuf>,
-    /// The column that holds NAME (a parameter, seen or p), by its name or number; may be given several times
-    #[arg(long = "column", value_name = "NAME=COLUMN", requires = "curves", value_parser = column)]
-    pub columns: Vec<(String, String)>,
+    #[command(flatten)]
+    pub(crate) named: NamedColumns,
     /// Kind and number of loops of all curves, such as SN:2, if no column has them
     #[arg(long, value_name = "KIND:P", requires = "curves", value_parser = curve)]
     pub curve: Option<(Bifurcation, Option<u32>)>,
@@ -261,6 +281,8 @@ pub struct Unfold {
     /// CSV of measurements, to be compared and drawn
     #[arg(long, value_name = "CSV", conflicts_with = "vary")]
     pub data: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) named: NamedColumns,
     /// Attractors and basins of attraction at these parameters; may be given several times
     #[arg(long, value_name = "PRIMARY,SECONDARY", conflicts_with = "vary", value_parser = place, allow_hyphen_values = true)]
     pub at: Vec<[f64; 2]>,
@@ -279,7 +301,7 @@ pub struct AnalysisLimits {
     /// CPU seconds after which the analysis stops; drawing and writing what it has come after [default: the file's, or 600]
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     pub time_limit: Option<f64>,
-    /// Memory in megabytes at which the analysis stops [default: the file's, or 2000]
+    /// Memory in megabytes at which the analysis stops; a PNG for which it leaves no room is not drawn [default: the file's, or 2000]
     #[arg(long, value_name = "MB", value_parser = positive)]
     pub memory_limit: Option<f64>,
     /// Integration steps after which the analysis stops [default: the file's, or 1e10]
@@ -350,6 +372,8 @@ pub struct Identify {
     /// CSV of impacts: times, and velocities before and after
     #[arg(long, value_name = "CSV")]
     pub record: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) named: NamedColumns,
     /// Constants to identify, separated by commas; the others keep the values in the file
     #[arg(long, value_name = "LIST", value_delimiter = ',', required = true)]
     pub free: Vec<String>,

@@ -27,15 +27,18 @@ const DIGITS_BEYOND_PRINT: usize = 4;
 pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
     match (&arguments.curves, &arguments.oscillator) {
         (Some(curves), Some(oscillator)) => foreign(curves, oscillator, arguments),
-        _ => print(&arguments.parameters),
+        _ => {
+            arguments.named.of(None)?;
+            print(&arguments.parameters)
+        }
     }
 }
 
 /// Prints how far the points of another program's curves are from those of an oscillator.
 fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), Failure> {
     let of = OscillatorFile::read(oscillator, &settings(&arguments.parameters.set), Limits::USUAL)?;
-    let Compare { columns, curve, within, .. } = arguments;
-    let foreign = Foreign { columns: columns.clone(), curve: *curve };
+    let Compare { named, curve, within, .. } = arguments;
+    let foreign = Foreign { columns: named.of(Some(curves))?.to_vec(), curve: *curve };
     let points = read::curves(curves, parameter_names(&of.description), &foreign);
     let points = points.map_err(|error| Failure::input(error.to_string()))?;
     arguments.threads.start()?;

@@ -42,6 +42,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             "--vary takes one file at a time: name one file, and run the command again for the next",
         ));
     };
+    arguments.named.of(None)?;
     let origin = Origin::of_file(file, arguments)?;
     let read = |stop: &Stop| read(&origin, &arguments.vary, arguments.part, stop);
     // Members have more time together, but their number is not known yet.

@@ -38,11 +38,17 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
         OscillatorFile::read(file, &settings(&arguments.changes.set), arguments.limits.over(Limits::USUAL))?;
     of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
     let names = parameter_names(&of.description);
-    let read_file =
-        |path: &PathBuf| read::points(path, names).map_err(|error| Failure::input(error.to_string()));
+    let renamed = arguments.named.of(data.as_deref().or(record.as_deref()))?;
+    if !renamed.is_empty() && data.is_some() && record.is_some() {
+        return Err(Failure::input("--column names columns of one CSV: give --data or --record, not both"));
+    }
+    let read_file = |path: &PathBuf| {
+        read::points(path, names, renamed).map_err(|error| Failure::input(error.to_string()))
+    };
     let points = data.as_ref().map(read_file).transpose()?.unwrap_or_default();
-    let read_record =
-        |path: &PathBuf| read::record(path, names).map_err(|error| Failure::input(error.to_string()));
+    let read_record = |path: &PathBuf| {
+        read::record(path, names, renamed).map_err(|error| Failure::input(error.to_string()))
+    };
     let record = record.as_ref().map(read_record).transpose()?.unwrap_or_default();
     for series in &record {
         let Some(impact) = series.gaining() else { continue };

@@ -8,7 +8,7 @@
 //! The CPU time of all threads counts, so that a busy machine finishes what an idle one does. Where
 //! the system has no clock of it, wall-clock time is used.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -202,6 +202,23 @@ pub(crate) fn reading<T>(
             None => failure,
         }),
     }
+}
+
+/// Whether the process may hold so many megabytes more.
+pub(crate) fn has_room(limits: Limits, megabytes: f64) -> bool {
+    held().is_none_or(|held| held + megabytes <= limits.memory)
+}
+
+/// The failure of a run without these pictures, for which there is no room.
+pub(crate) fn no_room(file: &Path, limits: Limits, pictures: &[PathBuf]) -> Failure {
+    let names: Vec<String> = pictures.iter().map(|path| path.display().to_string()).collect();
+    Failure::incomplete(format!(
+        "{}: {} would take more than the memory limit of {} MB and {} not drawn (choose a lower --dpi, or raise it with memory_limit in [analysis] or --memory-limit); everything else is written",
+        file.display(),
+        names.join(", "),
+        limits.memory,
+        if names.len() == 1 { "is" } else { "are" },
+    ))
 }
 
 /// A note if drawing and writing, which limits do not end, took more than these allow.

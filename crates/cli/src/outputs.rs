@@ -26,7 +26,7 @@ use grazing_results::{Cell, Column, Table, TablePlan, Title};
 use crate::failure::{Failure, computation};
 use crate::folder::OutputFile;
 use crate::{tables, terminal};
-use edition::{Edition, Format};
+use edition::{Edition, Format, Room};
 use latex::{Caption, Float};
 
 pub use paper::ALL;
@@ -217,11 +217,26 @@ impl ComputedOutput {
     /// # Errors
     /// A figure cannot be converted, or a table cannot be written.
     pub(crate) fn files(&self, edition: &Edition) -> Result<(Vec<OutputFile>, Vec<Float>), Failure> {
-        let (mut files, mut floats) = (Vec::new(), Vec::new());
+        let (files, floats, _) = self.files_within(edition, &|_| true)?;
+        Ok((files, floats))
+    }
+
+    /// The same as far as there is room, and the pictures for which there is none.
+    ///
+    /// # Errors
+    /// Those of [`files`](Self::files).
+    pub(crate) fn files_within(
+        &self,
+        edition: &Edition,
+        room: &Room<'_>,
+    ) -> Result<(Vec<OutputFile>, Vec<Float>, Vec<PathBuf>), Failure> {
+        let (mut files, mut floats, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
         let has_latex = edition.has(Format::Tex);
         for Figure { file, sheet, caption, .. } in &self.figures {
-            let made = edition.figure_files(file, sheet);
-            files.extend(made.map_err(|error| computation("figures", &error))?);
+            let made = edition.figure_files(file, sheet, room);
+            let (made, too_large) = made.map_err(|error| computation("figures", &error))?;
+            files.extend(made);
+            left_out.extend(too_large);
             if has_latex {
                 floats.push(Float::figure(file, sheet, caption));
             }
@@ -239,7 +254,7 @@ impl ComputedOutput {
                 files.push(file);
             }
         }
-        Ok((files, floats))
+        Ok((files, floats, left_out))
     }
 
     /// The figures as entries of a page, each with the rows that it shows.

@@ -130,7 +130,8 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         }
         let limits = arguments.limits.over(of.description.limits());
         let names = parameter_names(&of.description);
-        let measured = arguments.data.as_ref().map(|data| read::points(data, names)).transpose();
+        let renamed = arguments.named.of(arguments.data.as_deref())?;
+        let measured = arguments.data.as_ref().map(|data| read::points(data, names, renamed)).transpose();
         let measured = measured.map_err(|error| Failure::input(error.to_string()))?;
         for &[mu, eta] in &arguments.at {
             let frequency = of.description.forcing_frequency(mu, eta);
@@ -176,8 +177,8 @@ impl Task {
         let unfinished = unfinished || found.len() < self.at.len();
         let met = met.or_else(|| watch.end_cause().filter(|_| unfinished));
         let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared).at(found);
-        let (files, unfolded) = (self.files(&analysed, edition, progress)?, &analysed.unfolded);
-        let written = folder::write_run(&self.folder, &files, met.is_some())?;
+        let ((files, left_out), unfolded) = (self.files(&analysed, edition, progress)?, &analysed.unfolded);
+        let written = folder::write_run(&self.folder, &files, met.is_some() || !left_out.is_empty())?;
         keeper.clear()?;
         if met.is_none() {
             limits::note_excess(file, self.limits, watch.taken());
@@ -201,25 +202,30 @@ impl Task {
             let outcome = "the unfinished parts are named above; everything else is written";
             return Err(ended(file, met, outcome));
         }
+        if !left_out.is_empty() {
+            return Err(limits::no_room(file, self.limits, &left_out));
+        }
         verdict(file, &unfolded.resonances, listing::incomplete(&unfolded.diagram))
     }
 
-    /// Figures, tables and the page that shows them.
+    /// Figures, tables and the page that shows them; and the pictures for which there is no room.
     fn files(
         &self,
         of: &AnalysedOscillator,
         edition: &Edition,
         progress: &dyn Progress,
-    ) -> Result<Vec<OutputFile>, Failure> {
+    ) -> Result<(Vec<OutputFile>, Vec<PathBuf>), Failure> {
         let computed = progress.during(FIGURES, 1, || of.computed(edition.columns))?;
-        let (mut files, floats) = progress.during(FILES, 1, || computed.files(edition))?;
+        let room = |megabytes| limits::has_room(self.limits, megabytes);
+        let made = progress.during(FILES, 1, || computed.files_within(edition, &room));
+        let (mut files, floats, left_out) = made?;
         if edition.has(Format::Tex) {
             files.extend(latex::files(&floats, self.of.description.constants()));
         }
         let tables = of.outputs().flat_map(|output| output.tables).copied();
         files.push(data_page::of_an_oscillator(tables, &of.unfolded.axes.names));
         files.push(page::page(&self.of, &of.unfolded, &computed, &files));
-        Ok(files)
+        Ok((files, left_out))
     }
 }
 

@@ -47,7 +47,7 @@ impl Measured {
         // The paper's oscillator has other names than the text that describes it.
         let paper = Axes::of_the_paper().names;
         let names = if model.text.is_some() { own } else { [&*paper.primary, &*paper.secondary] };
-        read::points_of(&self.text, &self.name, names).map_err(|error| Problem::wrong(error.to_string()))
+        read::points_of(&self.text, &self.name, names, &[]).map_err(|error| Problem::wrong(error.to_string()))
     }
 
     /// Compares the measurements in the view with the diagram there, and counts those that lie outside.

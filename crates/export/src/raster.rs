@@ -19,6 +19,14 @@ impl Drawing {
         encode(&self.pixels(resolution)?, resolution)
     }
 
+    /// The most megabytes that making such a PNG takes: a pixel has four bytes on the canvas, three as it is
+    /// encoded, and at most three in the file.
+    pub fn png_megabytes(&self, resolution: f64) -> f64 {
+        let (width, height) = self.size();
+        let scale = resolution / POINTS_PER_INCH;
+        1e-5 * scale * scale * width * height
+    }
+
     /// The figure in pixels.
     pub(crate) fn pixels(&self, resolution: f64) -> Result<Pixmap, ExportError> {
         let scale = resolution / POINTS_PER_INCH;

@@ -75,27 +75,34 @@ pub struct Series {
 /// The layout of another program's file of curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Foreign {
-    /// Pairs of a name from [`POINTS`] and the column that holds it, by its name or its number from 1 on;
-    /// other columns are ignored unless they have a name from [`POINTS`].
+    /// The columns that hold names from [`POINTS`]; others are ignored unless they have such a name.
     pub columns: Vec<(String, String)>,
     /// The kind of curve and the number of loops for files without a column for them.
     pub curve: Option<(Bifurcation, Option<u32>)>,
 }
 
+/// Pairs of a name from [`POINTS`] or [`RECORD`] and the column that holds it, by its name or its number from 1
+/// on.
+pub type Renamed = [(String, String)];
+
 /// The measurements in a file, with the names of both parameters.
 ///
 /// # Errors
 /// The file cannot be read; otherwise the first mistake in it.
-pub fn points(path: &Path, names: [&str; 2]) -> Result<Vec<Observation>, MeasurementError> {
-    Ok(points_of(&read_file(path)?, &path.display().to_string(), names)?.0)
+pub fn points(
+    path: &Path,
+    names: [&str; 2],
+    renamed: &Renamed,
+) -> Result<Vec<Observation>, MeasurementError> {
+    Ok(points_of(&read_file(path)?, &path.display().to_string(), names, renamed)?.0)
 }
 
 /// The record of impacts in a file, with the names of both parameters.
 ///
 /// # Errors
 /// As [`points`].
-pub fn record(path: &Path, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
-    record_of(&read_file(path)?, &path.display().to_string(), names)
+pub fn record(path: &Path, names: [&str; 2], renamed: &Renamed) -> Result<Vec<Series>, MeasurementError> {
+    record_of(&read_file(path)?, &path.display().to_string(), names, renamed)
 }
 
 /// The points of another program's curves in a file, with the names of both parameters.
@@ -119,10 +126,10 @@ pub fn points_of(
     text: &str,
     file: &str,
     names: [&str; 2],
+    renamed: &Renamed,
 ) -> Result<(Vec<Observation>, Vec<String>), MeasurementError> {
     let needed = &["{primary}", "{secondary}", "seen"];
-    let request =
-        Request { file, names, columns: POINTS, needed, renamed: &[], foreign: false, separated: true };
+    let request = Request { file, names, columns: POINTS, needed, renamed, foreign: false, separated: true };
     let table = Table::read(text, &request)?;
     let points = table.rows.iter().map(|row| table.observation(row, None)).collect::<Result<_, _>>()?;
     Ok((points, table.names().collect()))
@@ -149,17 +156,15 @@ pub fn curves_of(
 ///
 /// # Errors
 /// The first mistake in the text.
-pub fn record_of(text: &str, file: &str, names: [&str; 2]) -> Result<Vec<Series>, MeasurementError> {
+pub fn record_of(
+    text: &str,
+    file: &str,
+    names: [&str; 2],
+    renamed: &Renamed,
+) -> Result<Vec<Series>, MeasurementError> {
     let needed = ["{primary}", "{secondary}", "time", "velocity_before"];
-    let request = Request {
-        file,
-        names,
-        columns: RECORD,
-        needed: &needed,
-        renamed: &[],
-        foreign: false,
-        separated: false,
-    };
+    let needed = &needed;
+    let request = Request { file, names, columns: RECORD, needed, renamed, foreign: false, separated: false };
     let table = Table::read(text, &request)?;
     let mut all: Vec<(&str, Series)> = Vec::new();
     for row in &table.rows {

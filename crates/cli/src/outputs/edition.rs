@@ -116,22 +116,38 @@ impl Edition {
         formats.map(move |format| Path::new(svg).with_extension(format.name()))
     }
 
-    /// A figure in all formats but LaTeX and Parquet, which have none.
-    pub(crate) fn figure_files(&self, file: &str, sheet: &Sheet) -> Result<Vec<OutputFile>, ExportError> {
+    /// A figure in all formats but LaTeX and Parquet, which have none. A PNG is left out if there is no `room`
+    /// for the megabytes that it takes.
+    pub(crate) fn figure_files(
+        &self,
+        file: &str,
+        sheet: &Sheet,
+        room: &Room<'_>,
+    ) -> Result<(Vec<OutputFile>, Vec<PathBuf>), ExportError> {
         let mut svg = sheet.svg();
         if self.text == TextForm::Outlines {
             svg = sheet.svg_around(&Drawing::read(&svg)?.outlines());
         }
-        let mut files = Vec::new();
+        let (mut files, mut left_out) = (Vec::new(), Vec::new());
         for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),
                 Format::Pdf => Drawing::read(&svg)?.pdf(&unmarked(&sheet.title))?,
-                Format::Png => Drawing::read(&svg)?.png(f64::from(self.dpi))?,
+                Format::Png => {
+                    let (drawing, dpi) = (Drawing::read(&svg)?, f64::from(self.dpi));
+                    if !room(drawing.png_megabytes(dpi)) {
+                        left_out.push(path);
+                        continue;
+                    }
+                    drawing.png(dpi)?
+                }
                 Format::Tex | Format::Parquet => continue,
             };
             files.push(OutputFile { path, content });
         }
-        Ok(files)
+        Ok((files, left_out))
     }
 }
+
+/// Whether there is room for so many megabytes.
+pub(crate) type Room<'r> = dyn Fn(f64) -> bool + 'r;

@@ -291,3 +291,19 @@ fn what_stands_in_the_way_is_noticed_before_anything_is_computed() {
     long.set_len(2_000_000_000).expect("it has holes");
     refused("data/curves.csv: cannot be read: it is longer");
 }
+
+/// A pixel takes ten bytes, and these pictures some 300 megabytes each.
+#[test]
+fn a_picture_for_which_memory_leaves_no_room_is_not_drawn_and_tables_are_written() {
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
+    let arguments =
+        ["unfold", "duffing.toml", "--format", "svg,png", "--dpi", "1200", "--memory-limit", "150"];
+    let run = grazing(folder.path(), &arguments);
+    if cfg!(target_os = "linux") {
+        assert_eq!(run.code, Some(3), "{}", run.messages);
+        let told = run.errors().split_whitespace().collect::<Vec<_>>().join(" ");
+        let reason = "diagram.png, magnifications.png, straightened.png would take more than the memory limit of 150 MB and are not drawn";
+        assert!(told.contains(reason) && told.contains("--dpi"), "{told}");
+        assert_eq!(listing(&folder.path().join("unfolded/duffing")), results());
+    }
+}

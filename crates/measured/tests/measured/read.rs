@@ -6,14 +6,14 @@ use grazing_measured::read::{Foreign, curves_of, points_of, record_of};
 const NAMES: [&str; 2] = ["A", "omega"];
 
 fn refused(text: &str) -> String {
-    points_of(text, "rig.csv", NAMES).unwrap_err().to_string()
+    points_of(text, "rig.csv", NAMES, &[]).unwrap_err().to_string()
 }
 
 #[test]
 fn places_are_read_as_they_are_written() {
     let text = "\u{feff}# a rig\nomega, A ,A_error,seen,periods,impacts,p\n0.8,0.25,0.01,none,,,\n\n\
                 0.8,\"0.3\",,periodic,6,3,\n0.8,0.4,0,SN,,,2\r\n0.8,0.5,,irregular,,,\n";
-    let (read, columns) = points_of(text, "rig.csv", NAMES).unwrap();
+    let (read, columns) = points_of(text, "rig.csv", NAMES, &[]).unwrap();
     assert_eq!(columns, ["omega", "A", "A_error", "seen", "periods", "impacts", "p"]);
     let seen: Vec<String> = read.iter().map(|one| format!("{} {}", one.line, one.seen.words())).collect();
     assert_eq!(seen, ["3 no impacts", "5 3 impacts in 6 periods", "6 SN of p = 2", "7 irregular"]);
@@ -45,7 +45,7 @@ fn columns_of_another_program_are_found_by_the_names_that_are_given() {
 
 /// The places and what was seen there.
 fn read(text: &str) -> Vec<(f64, f64, String)> {
-    let (read, _) = points_of(text, "rig.csv", NAMES).unwrap_or_else(|error| panic!("{error}"));
+    let (read, _) = points_of(text, "rig.csv", NAMES, &[]).unwrap_or_else(|error| panic!("{error}"));
     read.iter().map(|one| (one.at[0], one.at[1], one.seen.words())).collect()
 }
 
@@ -172,13 +172,13 @@ fn mistakes_are_named_with_file_line_column_value_and_remedy() {
     }
     let rows = |count: usize| format!("A,omega,seen\n{}", "1,2,none\n".repeat(count));
     assert!(refused(&rows(10_001)).contains("at most 10000"));
-    assert!(points_of(&rows(10_000), "rig.csv", NAMES).is_ok());
+    assert!(points_of(&rows(10_000), "rig.csv", NAMES, &[]).is_ok());
 }
 
 #[test]
 fn impacts_fall_into_series_in_the_order_of_time() {
     let head = "A,omega,series,time,velocity_before,velocity_after,time_error,velocity_error\n";
-    let read = |rows: &str| record_of(&format!("{head}{rows}"), "rig.csv", NAMES);
+    let read = |rows: &str| record_of(&format!("{head}{rows}"), "rig.csv", NAMES, &[]);
     let series = read("1,2,a,0,0.5,0.4,1e-3,1e-2\n1,2,a,3,0.6,,1e-3,1e-2\n1,2,b,1,0.5,,1e-3,1e-2\n").unwrap();
     assert_eq!(series.iter().map(|one| one.impacts.len()).collect::<Vec<_>>(), [2, 1]);
     assert!(series[0].impacts[1].values[2].is_nan());
@@ -188,4 +188,29 @@ fn impacts_fall_into_series_in_the_order_of_time() {
     assert!(error.contains("rig.csv:3: column time: `0`"), "{error}");
     let error = read("1,2,a,3,-0.5,,1e-3,1e-2\n").unwrap_err().to_string();
     assert!(error.contains("velocity_before: `-0.5`") && error.contains("positive"), "{error}");
+}
+
+#[test]
+fn columns_of_measurements_are_named_or_numbered_as_those_of_another_program() {
+    let renamed = |pairs: &[(&str, &str)]| -> Vec<(String, String)> {
+        pairs.iter().map(|(name, column)| ((*name).to_owned(), (*column).to_owned())).collect()
+    };
+    let plain = points_of("A,omega,seen,p\n0.5,0.9,SN,2\n", "rig.csv", NAMES, &[]).unwrap().0;
+    let called = renamed(&[("A", "drive"), ("seen", "what")]);
+    let read = points_of("drive,omega,what,p\n0.5,0.9,SN,2\n", "rig.csv", NAMES, &called).unwrap().0;
+    assert_eq!(read, plain);
+    let numbered = renamed(&[("A", "3"), ("omega", "1"), ("seen", "2"), ("p", "4")]);
+    let mut read = points_of("0.9,SN,0.5,2\n", "rig.csv", NAMES, &numbered).unwrap().0;
+    // Without a header the row is one line higher.
+    read.iter_mut().for_each(|point| point.line += 1);
+    assert_eq!(read, plain);
+    let impacts = "A,omega,time,velocity_before\n0.5,0.9,1.0,0.3\n0.5,0.9,8.0,0.4\n";
+    let plain = record_of(impacts, "rig.csv", NAMES, &[]).unwrap();
+    let called = renamed(&[("time", "t"), ("velocity_before", "v")]);
+    let text = impacts.replace("time", "t").replace("velocity_before", "v");
+    // What was not measured is NaN, which equals nothing.
+    let read = record_of(&text, "rig.csv", NAMES, &called).unwrap();
+    assert_eq!(format!("{read:?}"), format!("{plain:?}"));
+    let unknown = points_of("A,omega,seen\n", "rig.csv", NAMES, &renamed(&[("weight", "A")])).unwrap_err();
+    assert!(unknown.to_string().contains("weight"), "{unknown}");
 }
