@@ -11,7 +11,6 @@ use crate::program::{
 };
 use grazing_cli::codecheck;
 use grazing_cli::outputs;
-use grazing_cli::outputs::edition::Format;
 use grazing_drawing::SheetWidth;
 
 #[test]
@@ -23,6 +22,10 @@ fn an_edition_for_a_journal_goes_to_its_own_folder() {
     assert_eq!(made.code, Some(0), "{}", made.messages);
     assert_eq!(listing(&folder.path().join("figures")), ["parameters.toml"], "figures/ is left alone");
     let journal = folder.path().join("journal");
+    assert!(
+        journal.join("fig04.png").is_file() && !journal.join("fig04.svg").exists(),
+        "SVG was not asked for"
+    );
     fs::write(journal.join("coefficients.tex"), "").expect("the folder is ours");
     let checked = grazing(folder.path(), &[&arguments[..], &["--check"]].concat());
     assert_eq!(checked.code, Some(1), "{}", checked.messages);
@@ -32,7 +35,7 @@ fn an_edition_for_a_journal_goes_to_its_own_folder() {
 
 #[test]
 fn latex_includes_all_of_an_edition() {
-    let journal = edition(&[Format::Png, Format::Tex], SheetWidth::OneColumn);
+    let journal = edition(SheetWidth::OneColumn);
     let journal = journal.path();
     let snippet = fs::read_to_string(journal.join("figures.tex")).expect("there is a snippet");
     for output in outputs::ALL {
@@ -51,7 +54,6 @@ fn latex_includes_all_of_an_edition() {
         let included = format!("\\includegraphics{{\\grazingfiles {}}}", pdf.display());
         assert_eq!(snippet.matches(&included).count(), 1, "{included} in {snippet}");
         assert_eq!(snippet.matches(&format!("\\label{{{}}}", output.label)).count(), 1, "{snippet}");
-        assert!(!journal.join(&figure).exists(), "SVG was not asked for");
         let content = fs::read(journal.join(pdf)).expect("the snippet asks for PDF");
         assert!(content.starts_with(b"%PDF-"), "{figure}");
         let content = fs::read(journal.join(&figure).with_extension("png")).expect("PNG was asked for");
@@ -138,7 +140,7 @@ fn assert_sets_well(journal: &Path) {
 #[test]
 fn latex_sets_all_figures_and_tables_at_every_width_without_an_overfull_box() {
     for columns in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-        assert_sets_well(edition(&[Format::Tex], columns).path());
+        assert_sets_well(edition(columns).path());
     }
 }
 

@@ -1,7 +1,9 @@
 //! `grazing unfold` from end to end, in temporary folders.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use crate::program::{folder_with, grazing, listing, narrow_duffing, read, repository, snapshots};
 
@@ -110,42 +112,58 @@ fn told(output: &str, coefficients: &str) {
     }
 }
 
-#[test]
-fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() {
-    let diagram = "[[diagrams]]\nfixed = \"omega\"\nat = 0.98\nportraits = [0.29]\n";
-    let folder = folder_with(&[("duffing.toml", &(narrow_duffing() + diagram))]);
+/// An oscillator with a one-parameter diagram along either parameter, unfolded once for all tests: what the program
+/// said, and the files.
+static DIAGRAMS: LazyLock<(String, BTreeMap<String, Vec<u8>>)> = LazyLock::new(|| {
+    let diagrams = "[[diagrams]]\nfixed = \"omega\"\nat = 0.98\nportraits = [0.29]\n[[diagrams]]\nfixed = \"A\"\nat = 0.3\n";
+    let folder = folder_with(&[("duffing.toml", &(narrow_duffing() + diagrams))]);
     let made = grazing(folder.path(), &["unfold", "duffing.toml"]);
     assert_eq!((made.code, made.errors()), (Some(0), ""), "{}", made.messages);
-    assert!(made.output.contains("\nOne-parameter diagram 1: A from 0.2 to 0.4 at omega = 0.98\n"));
+    let results = folder.path().join("unfolded/duffing");
+    let files = listing(&results).into_iter().filter(|path| results.join(path).is_file());
+    let read = |path: String| (path.clone(), fs::read(results.join(path)).expect("it is there"));
+    (made.output, files.map(read).collect())
+});
+
+/// A file of these results as text.
+fn of_diagrams(path: &str) -> &'static str {
+    let content = DIAGRAMS.1.get(path).unwrap_or_else(|| panic!("there is no {path}"));
+    core::str::from_utf8(content).expect("it is text")
+}
+
+#[test]
+fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() {
+    let (output, files) = &*DIAGRAMS;
+    assert!(output.contains("\nOne-parameter diagram 1: A from 0.2 to 0.4 at omega = 0.98\n"));
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
     let results_folder = folder.path().join("unfolded/duffing");
+    fs::create_dir_all(results_folder.join("data")).expect("the folder is ours");
+    for (path, content) in files {
+        fs::write(results_folder.join(path), content).expect("the folder is ours");
+    }
     let tables = ["attractor", "bifurcations", "branches", "portraits"];
     let more = tables.map(|table| format!("data/diagram_{table}.csv"));
-    let mut all = [results(), more.to_vec(), vec!["diagram-1.svg".to_owned()]].concat();
+    let figures = ["diagram-1.svg", "diagram-2.svg"].map(str::to_owned);
+    let mut all = [results(), more.to_vec(), figures.to_vec()].concat();
     all.sort();
     assert_eq!(listing(&results_folder), all);
-    let explanations = read(&results_folder, "data/README.md");
+    let explanations = of_diagrams("data/README.md");
     let page = read(&repository(), "docs/unfold.md");
     for table in tables {
         assert!(page.contains(&format!("| `diagram_{table}` |")), "{table} is not named");
-        let content = read(&results_folder, &format!("data/diagram_{table}.csv"));
+        let content = of_diagrams(&format!("data/diagram_{table}.csv"));
         for column in content.lines().next().expect("a header").split(',') {
             assert!(explanations.contains(&format!("| `{column}` |")), "{table}: {column} is not explained");
         }
     }
-    assert!(read(&results_folder, "report.html").contains("id=\"oscillator-duffing-diagram-1\""));
-    fs::write(folder.path().join("duffing.toml"), narrow_duffing()).expect("the folder is ours");
+    assert!(of_diagrams("report.html").contains("id=\"oscillator-duffing-diagram-1\""));
     assert_eq!(grazing(folder.path(), &["unfold", "duffing.toml"]).code, Some(0));
     assert_eq!(listing(&results_folder), results());
 }
 
 #[test]
 fn a_one_parameter_diagram_lists_and_draws_what_its_tables_hold_whichever_parameter_is_held() {
-    let diagrams = "[[diagrams]]\nfixed = \"omega\"\nat = 0.98\n[[diagrams]]\nfixed = \"A\"\nat = 0.3\n";
-    let folder = folder_with(&[("duffing.toml", &(narrow_duffing() + diagrams))]);
-    let made = grazing(folder.path(), &["unfold", "duffing.toml"]);
-    assert_eq!((made.code, made.errors()), (Some(0), ""), "{}", made.messages);
-    let results_folder = folder.path().join("unfolded/duffing");
-    let table = read(&results_folder, "data/diagram_bifurcations.csv");
+    let table = of_diagrams("data/diagram_bifurcations.csv");
     let mut rows = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
     assert_eq!(
         rows.next().expect("a header"),
@@ -154,7 +172,7 @@ fn a_one_parameter_diagram_lists_and_draws_what_its_tables_hold_whichever_parame
     let rows: Vec<Vec<&str>> = rows.collect();
     for (number, across, column) in [("1", "A", 4), ("2", "omega", 3)] {
         let head = format!("\nOne-parameter diagram {number}: {across} from ");
-        let (_, listed) = made.output.split_once(&head).unwrap_or_else(|| panic!("{head}: {}", made.output));
+        let (_, listed) = DIAGRAMS.0.split_once(&head).unwrap_or_else(|| panic!("{head}: {}", DIAGRAMS.0));
         let words: Vec<Vec<&str>> =
             listed.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
         assert_eq!(words[0], ["kind", "p", across, "impact", "velocity", "x"]);
@@ -165,7 +183,7 @@ fn a_one_parameter_diagram_lists_and_draws_what_its_tables_hold_whichever_parame
             let [shown, exact] = [words[2], row[column]].map(|cell| cell.parse::<f64>().expect("a number"));
             assert!((shown / exact - 1.0).abs() < 1e-7, "{shown} and not {exact}");
         }
-        let figure = read(&results_folder, &format!("diagram-{number}.svg"));
+        let figure = of_diagrams(&format!("diagram-{number}.svg"));
         assert!(figure.contains(&format!("data-columns=\"{across} x\"")), "{across}");
     }
 }

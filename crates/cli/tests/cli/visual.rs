@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::program::{digest, edition, repository, snapshots};
 use crate::reading::{Reading, Shape, Text};
 use grazing_cli::outputs;
-use grazing_cli::outputs::edition::{Edition, Format};
+use grazing_cli::outputs::edition::Edition;
 use grazing_drawing::geometry::sheet::{Spot, cross, distance};
 use grazing_drawing::{Bounds, SheetWidth};
 use grazing_export::Drawing;
@@ -102,7 +102,7 @@ fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
     collect("the paper's width", "fig07", crossings(&here["fig07"], &repository().join("figures")));
     assert!(here.values().any(|(svg, _)| !leaders(svg).is_empty()), "no figure has a leader");
     for (columns, millimetres) in [(SheetWidth::OneColumn, 86.0), (SheetWidth::TwoColumns, 178.0)] {
-        let folder = edition(&[Format::Svg], columns);
+        let folder = edition(columns);
         let width = &format!("{millimetres} mm");
         let there = figures(folder.path());
         for (name, (svg, figure)) in &there {

@@ -132,7 +132,10 @@ fn branches_that_begin_where_motion_of_twice_the_period_grazes_are_found() {
         // Simulation settles on solutions with two loops here.
         for primary in [0.263, 0.419] {
             let here = at(&found, 2, primary);
-            assert!(here.iter().any(|point| point.stable.is_stable() && point.admissible), "{primary}: {here:?}");
+            assert!(
+                here.iter().any(|point| point.stable.is_stable() && point.admissible),
+                "{primary}: {here:?}"
+            );
         }
     }
 }

@@ -3,12 +3,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 use std::thread;
 use std::time::Duration;
 
+use grazing_cli::folder::{self, OutputFile};
 use grazing_cli::outputs::edition::{Edition, Format, TextForm};
-use grazing_cli::{folder, reproduce};
+use grazing_cli::reproduce;
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
@@ -194,13 +195,18 @@ static STUDY: LazyLock<Study> = LazyLock::new(|| {
     Study::new(&parameters.expect("the default parameters are valid"))
 });
 
-/// A folder with all figures and tables of the default parameters in an edition, as `reproduce` writes them; PNG has a
-/// pixel a point.
-pub(crate) fn edition(formats: &[Format], columns: SheetWidth) -> tempfile::TempDir {
-    let edition = Edition::new(formats.to_vec(), columns, 72, TextForm::Fonts);
-    let files = reproduce::files(&STUDY, &edition).expect("the default parameters give all outputs");
+/// A folder with all figures and tables of the default parameters at a width, as `reproduce` writes them: SVG, LaTeX
+/// with PDF, and at one column PNG with a pixel a point. They are made once for all tests.
+pub(crate) fn edition(columns: SheetWidth) -> tempfile::TempDir {
+    static MADE: [OnceLock<Vec<OutputFile>>; 3] = [const { OnceLock::new() }; 3];
+    let made = MADE[columns as usize].get_or_init(|| {
+        let png = (columns == SheetWidth::OneColumn).then_some(Format::Png);
+        let formats = [Format::Svg, Format::Tex].into_iter().chain(png).collect();
+        let edition = Edition::new(formats, columns, 72, TextForm::Fonts);
+        reproduce::files(&STUDY, &edition).expect("the default parameters give all outputs")
+    });
     let place = empty_folder();
-    folder::write(place.path(), &files).expect("the folder is ours");
+    folder::write(place.path(), made).expect("the folder is ours");
     place
 }
 

@@ -58,7 +58,7 @@ fn a_part_of_the_plane_is_simulated_anew() {
     let server = Running::new();
     let Some(mut page) = server.open(PHONE) else { return };
     plane_key(&mut page, "o");
-    page.wait(DONE);
+    page.wait(&format!("{SEEN}.then((seen) => seen >= 100)"));
     for _ in 0..3 {
         plane_key(&mut page, "+");
     }
