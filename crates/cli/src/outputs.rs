@@ -193,6 +193,9 @@ impl<Source> Output<Source> {
     }
 }
 
+/// The files of an edition, the floats for a document in LaTeX, and the pictures for which there is no room.
+pub(crate) type FilesWithin = (Vec<OutputFile>, Vec<Float>, Vec<PathBuf>);
+
 impl ComputedOutput {
     /// An output of figures and tables alone.
     pub(crate) fn new(figures: Vec<Figure>, tables: Vec<Table>) -> Self {
@@ -225,11 +228,7 @@ impl ComputedOutput {
     ///
     /// # Errors
     /// Those of [`files`](Self::files).
-    pub(crate) fn files_within(
-        &self,
-        edition: &Edition,
-        room: &Room<'_>,
-    ) -> Result<(Vec<OutputFile>, Vec<Float>, Vec<PathBuf>), Failure> {
+    pub(crate) fn files_within(&self, edition: &Edition, room: &Room<'_>) -> Result<FilesWithin, Failure> {
         let (mut files, mut floats, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
         let has_latex = edition.has(Format::Tex);
         for Figure { file, sheet, caption, .. } in &self.figures {

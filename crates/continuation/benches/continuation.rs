@@ -33,7 +33,7 @@ struct Start<O> {
 impl<O: ImpactOscillator> Start<O> {
     fn follow(&self) -> Curve {
         let Self { curve, point, direction, route } = self;
-        curve.clone().follow(*point, *direction, EventTimes::default(), route).unwrap()
+        curve.clone().follow(point.clone(), direction.clone(), EventTimes::default(), route).unwrap()
     }
 
     /// Benchmark in which one item is one point of the curve.

@@ -95,6 +95,9 @@ pub struct Station<V, M> {
     pub carried: M,
 }
 
+/// A point on the curve of these equations.
+pub type StationOf<C> = Station<<C as CurveEquations>::Point, <C as CurveEquations>::Carried>;
+
 /// The error that no further point could be found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("step length {step:.1e}: {failure}")]
@@ -120,7 +123,7 @@ pub struct Continuation<'a, C: CurveEquations> {
 }
 
 /// A new station and the angle by which the tangent turned on the way.
-type Attempt<V, M> = (Station<V, M>, f64);
+type Attempt<C> = (StationOf<C>, f64);
 
 /// A step is repeated if the tangent turns by more than this multiple of the target angle
 /// (empirical).
@@ -171,7 +174,7 @@ impl<'a, C: CurveEquations> Continuation<'a, C> {
     }
 
     /// The last point found.
-    pub fn here(&self) -> &Station<C::Point, C::Carried> {
+    pub fn here(&self) -> &StationOf<C> {
         &self.here
     }
 
@@ -184,7 +187,7 @@ impl<'a, C: CurveEquations> Continuation<'a, C> {
     ///
     /// # Errors
     /// Even the shortest step failed.
-    pub fn advance(&mut self) -> Result<&Station<C::Point, C::Carried>, Stall<C::Failure>> {
+    pub fn advance(&mut self) -> Result<&StationOf<C>, Stall<C::Failure>> {
         loop {
             match self.attempt() {
                 Ok((next, angle))
@@ -232,7 +235,7 @@ impl<'a, C: CurveEquations> Continuation<'a, C> {
 
     /// One predictor and corrector: the new station, with its unknowns divided by their units, and
     /// the angle between the two tangents.
-    fn attempt(&self) -> Result<Attempt<C::Point, C::Carried>, NewtonFailure<C::Failure>> {
+    fn attempt(&self) -> Result<Attempt<C>, NewtonFailure<C::Failure>> {
         let (origin, along) = &self.counted;
         let mut carried = self.here.carried.clone();
         let corrected = |near: C::Point, tolerance: f64, carried: &mut C::Carried| {

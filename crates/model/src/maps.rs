@@ -21,7 +21,7 @@ use crate::oscillator::ImpactOscillator;
 use crate::state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable as flow};
 use crate::tolerances::{LAST_STEP_TO_SECTION, LAST_STEP_TO_WALL, MOST_ITERATIONS, MOST_PERIODS};
 
-pub use passage::Passage;
+pub use passage::{Passage, Passed};
 
 /// The reason why a map is not defined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -4,7 +4,7 @@
 //! every coefficient is a first or second derivative of P_global. For the linear oscillator the
 //! results agree with [`linear_oscillator`](crate::linear_oscillator).
 
-use grazing_model::maps::{MapError, Passage};
+use grazing_model::maps::{MapError, Passage, Passed};
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, MapJet, OnWall, State};
 use nalgebra::{Matrix2, Vector2, Vector3};
@@ -75,7 +75,7 @@ impl GrazingPlace {
         for _ in 0..30 {
             let here = oscillator.with_parameters([primary, eta]);
             let mut way = passage.clone();
-            let (map, _) = way.global_map::<O, 1>(&here, AtRest::new(0.0, phase))?;
+            let map = way.global_map::<O, 1>(&here, AtRest::new(0.0, phase))?.jet;
             let defect = Vector2::new(map.value[0], map.value[1] - phase);
             residual = defect.norm();
             let jacobian = by_phase_and_primary(&map).lu();
@@ -182,7 +182,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// As [`at`](Self::at).
     pub fn through(oscillator: O, phase: f64, passage: Passage) -> Result<Self, GrazingOrbitError> {
         let mut way = passage.clone();
-        let (map, impacts) = way.global_map::<O, 2>(&oscillator, AtRest::new(0.0, phase))?;
+        let Passed { jet: map, impacts } = way.global_map::<O, 2>(&oscillator, AtRest::new(0.0, phase))?;
         let passage = settled(passage, way);
         Ok(Self { oscillator, phase, slopes: slopes(&map), map, passage, impacts })
     }
@@ -299,7 +299,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         let mut jet = MapJet::identity(AtRest::new(0.0, self.phase));
         let mut passage = self.passage.clone();
         for _ in 0..loops {
-            let (next, _) = passage.global_map::<O, 2>(&self.oscillator, jet.image())?;
+            let next = passage.global_map::<O, 2>(&self.oscillator, jet.image())?.jet;
             jet = next.after::<2, _>(&jet);
         }
         Ok(jet.hessians[0][(1, 1)])

@@ -239,7 +239,7 @@ impl CurveEquations for GrazingEquations<'_> {
     ) -> Result<Linearisation<Vector3<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
         let passage = passage.get_or_insert_with(|| self.passage.clone());
-        let (jet, _) = passage.global_map::<_, 1>(&oscillator, AtRest::new(self.height, point[0]))?;
+        let jet = passage.global_map::<_, 1>(&oscillator, AtRest::new(self.height, point[0]))?.jet;
         let [primary, secondary] = self.scope.window.widths();
         let jacobian = jet.jacobian;
         let mut system = Linearisation { residual: Vector3::zeros(), jacobian: Matrix3::zeros() };

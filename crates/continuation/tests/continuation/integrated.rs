@@ -91,7 +91,7 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
             locate(resonance.equations(), conditions, fold.clone(), &mut EventTimes::default()).unwrap()
         };
         let [behind, ahead] =
-            [-step, step].map(|by| at.clone()(fold[unknown::VELOCITY] + by)[unknown::PRIMARY]);
+            [-step, step].map(|by| at(fold[unknown::VELOCITY] + by)[unknown::PRIMARY]);
         (0.5 * (behind + ahead) - fold[unknown::PRIMARY]) / (step * step)
     };
     let [before, after] = [cusps[0].index - 1, cusps[0].index + 1]

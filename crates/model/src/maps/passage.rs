@@ -31,6 +31,15 @@ pub struct Passage {
     back: Option<f64>,
 }
 
+/// P_global along a passage, and the impacts on the way in the order of time.
+#[derive(Clone, Debug)]
+pub struct Passed {
+    /// The map and its derivatives.
+    pub jet: MapJet<AtRest, AtRest>,
+    /// The impacts.
+    pub impacts: SmallVec<[OnWall; 2]>,
+}
+
 impl Passage {
     /// The way without impacts, over one forcing period.
     pub fn direct() -> Self {
@@ -58,7 +67,7 @@ impl Passage {
         self.to_wall.len()
     }
 
-    /// P_global along this way, with the impacts; the times become those from the point `from`.
+    /// P_global along this way; the times become those from the point `from`.
     ///
     /// # Errors
     /// A flight does not reach the wall, or has no maximum of x, near its time.
@@ -66,7 +75,7 @@ impl Passage {
         &mut self,
         oscillator: &O,
         from: AtRest,
-    ) -> Result<(MapJet<AtRest, AtRest>, SmallVec<[OnWall; 2]>), MapError> {
+    ) -> Result<Passed, MapError> {
         let mut impacts = SmallVec::new();
         let mut jet: Option<MapJet<AtRest, OnWall>> = None;
         for time in &mut self.to_wall {
@@ -92,7 +101,7 @@ impl Passage {
             }
         };
         self.back = Some(last.time);
-        Ok((last.jet, impacts))
+        Ok(Passed { jet: last.jet, impacts })
     }
 }
 

@@ -120,8 +120,7 @@ impl FileSection for BeyondGenerations {
 
 impl PaperFigure for BeyondGenerations {
     const LABEL: &'static str = "fig:generations";
-    const BEYOND: bool = true;
-    const TITLE: &'static str = "Beyond the paper: resonances of motion that already hits the wall";
+    const TITLE: Title<&'static str> = Title::beyond("resonances of motion that already hits the wall");
     const TABLES: &'static [TablePlan] = Generations::TABLES;
     const REMEDY: &'static str = "fig07.frequency, fig07.amplitude or fig07.loops";
     type Shown = Generations;
@@ -288,7 +287,7 @@ fn frame(found: &LaterResonance) -> Option<Frame> {
         (low, high) = (low.min(primary), high.max(primary));
     }
     let room = 0.05 * (high - low);
-    (half > 0.0 && room > 0.0).then(|| Frame { x: [low - room, high + room], y: up })
+    (half > 0.0 && room > 0.0).then_some(Frame { x: [low - room, high + room], y: up })
 }
 
 fn magnified(panel: u32, number: u32, found: &LaterResonance, frame: &Frame) -> Vec<LaterMagnified> {

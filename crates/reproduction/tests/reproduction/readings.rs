@@ -73,7 +73,7 @@ fn simulated_motion_has_the_readings_of_the_solution_that_it_has_come_to() {
             let across = |k: usize| pair[k].primary - row.primary;
             pair[0].branch == pair[1].branch
                 && f64::from(pair[0].loops) == row.periods
-                && pair[0].stable
+                && pair[0].stable.is_stable()
                 && across(0) * across(1) <= 0.0
         });
         let near = own.map(|pair| {

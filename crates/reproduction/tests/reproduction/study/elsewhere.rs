@@ -28,7 +28,7 @@ fn fig02(settings: &[&str]) -> Arc<OneParameter> {
 
 /// Branch points with impacts at which solutions are stable and admissible.
 fn good(figure: &OneParameter, loops: u32) -> Vec<BranchPoint> {
-    let good = |point: &&BranchPoint| point.loops == loops && point.stable && point.admissible;
+    let good = |point: &&BranchPoint| point.loops == loops && point.stable.is_stable() && point.admissible;
     figure.branches.iter().filter(good).cloned().collect()
 }
 
