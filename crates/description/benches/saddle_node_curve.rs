@@ -114,7 +114,10 @@ fn follow<M: SmoothOscillator>(bencher: Bencher<'_, '_>, model: M, place: &Place
     let curve = resonance.curve(condition);
     let (start, direction, route) = (resonance.unknowns(), resonance.direction(condition), route());
     let follow = || -> Curve {
-        black_box(&curve).clone().follow(start.clone(), direction.clone(), EventTimes::default(), &route).unwrap()
+        black_box(&curve)
+            .clone()
+            .follow(start.clone(), direction.clone(), EventTimes::default(), &route)
+            .unwrap()
     };
     bencher.counter(ItemsCount::new(follow().points.len())).bench(follow);
 }

@@ -90,8 +90,7 @@ fn a_branch_is_no_parabola_where_its_saddle_node_curve_turns_back_in_a_cusp() {
                 [Condition::ImpactVelocity(velocity), Condition::Secondary(fold[unknown::SECONDARY])];
             locate(resonance.equations(), conditions, fold.clone(), &mut EventTimes::default()).unwrap()
         };
-        let [behind, ahead] =
-            [-step, step].map(|by| at(fold[unknown::VELOCITY] + by)[unknown::PRIMARY]);
+        let [behind, ahead] = [-step, step].map(|by| at(fold[unknown::VELOCITY] + by)[unknown::PRIMARY]);
         (0.5 * (behind + ahead) - fold[unknown::PRIMARY]) / (step * step)
     };
     let [before, after] = [cusps[0].index - 1, cusps[0].index + 1]
