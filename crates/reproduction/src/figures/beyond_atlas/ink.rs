@@ -100,9 +100,18 @@ impl Atlas {
         }
         edges.iter().for_each(|edge| labels.placer.keep_off(edge));
         for (name, taken) in &marked {
-            let spots = [taken.centre()];
-            let site = Site::Anyhow(&spots, 0.5 * (taken.right - taken.left));
-            labels.add(name, SMALL_LABEL_SIZE - 1.0, BLACK, &site)?;
+            let (spots, reach) = ([taken.centre()], 0.5 * (taken.right - taken.left));
+            // Closest first; over lines rather than not at all.
+            let sites = [
+                Site::Around(spots[0], reach),
+                Site::Around(spots[0], reach + 1.0),
+                Site::Anyhow(&spots, reach),
+            ];
+            for site in &sites {
+                if labels.add(name, SMALL_LABEL_SIZE - 1.0, BLACK, site)? {
+                    break;
+                }
+            }
         }
         // Each name is in the area between a boundary and the next.
         let beyond: Vec<(f64, f64)> =

@@ -15,7 +15,7 @@ use super::{Generations, LaterMagnified, LaterPoint};
 use crate::figure::prelude::*;
 
 const WIDTH_MM: f64 = 165.0;
-/// Narrower sheets have one magnification in a row.
+/// Narrower sheets have two magnifications in a row.
 const NARROW_MM: f64 = 120.0;
 /// Room around panels, in points.
 const LEFT: f64 = 38.0;
@@ -33,10 +33,10 @@ const NAMED_LENGTH: f64 = 40.0;
 /// The distance of a letter from its triangle, in points.
 const OFF_TRIANGLE: f64 = 5.4;
 
-/// Draws the figure: the magnifications beside each other, on a narrow sheet one below the other.
+/// Draws the figure: above the window, below the magnifications.
 pub(super) fn draw(figure: &Generations, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let wide = width.mm(WIDTH_MM);
-    let (window, each, in_a_row) = if wide < NARROW_MM { (80.0, 50.0, 1) } else { (105.0, 60.0, 3) };
+    let (window, each, in_a_row) = if wide < NARROW_MM { (78.0, 41.0, 2) } else { (105.0, 55.0, 3) };
     let panels: Vec<_> = figure.magnified.chunk_by(|a, b| a.panel == b.panel).zip(&figure.panels).collect();
     let rows = panels.len().div_ceil(in_a_row);
     let canvas = Canvas::new(wide, window + each * rows as f64)?;
