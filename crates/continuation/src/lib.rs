@@ -16,7 +16,7 @@
 //!             └─ resonance   resonant grazing points and the curves that leave them in the direction of the theory
 //!                  └─ fit    quadratic coefficients measured on these curves
 //!   mps ─ criticality        normal form of period doublings, from third derivatives
-//!   mps ─ doubled            orbits with two impacts, and where they graze
+//!   mps ─ doubled            orbits with two impacts that leave period doublings, and where they graze
 //! cascade                    period doubling after period doubling in the limit map
 //! ```
 //!

@@ -6,6 +6,7 @@
 //!   └─ grazing   the curve of grazing bifurcations through that point, with all that the theorems need along it
 //!        └─ resonances   where a₁₂ (p = 1) or κ_p (p ≥ 2) vanishes on it: located, numbered, checked against the theorems
 //!             └─ diagram   SN, PD and GZ curves from every resonance, codimension-two points
+//!                  ├─ generations     resonances where solutions with impacts graze, and what leaves them
 //!                  ├─ regions         where solutions are stable, as polygons
 //!                  ├─ magnification   the same curves close to one resonance, with the quadratic approximations
 //!                  ├─ straightened    their distance from the grazing curve, with its digits at any scale
