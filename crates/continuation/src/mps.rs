@@ -10,6 +10,11 @@
 //! A periodic solution without impacts is the case p = 0: from (x, y) at phase zero the flow leads
 //! round one forcing period, and the other map is the identity. Everything else is the same: two
 //! equations, multipliers from the two maps, a highest maximum.
+//!
+//! A periodic solution with K impacts in p forcing periods has two more unknowns and two more
+//! equations for each: from every impact one map leads through its recoil to the plane of the next,
+//! and agrees there with the map straight from that impact ([`Round`]). Which impacts there are is in
+//! the [`Unknowns`] alone, so that no crossing of the wall is ever looked for.
 
 mod pair;
 mod symmetry;
@@ -57,7 +62,7 @@ pub enum Formulation {
     FixedPhase,
 }
 
-/// A flight of a solution, as far as it matters: the state in which it begins and the motion.
+/// A flight of a solution, from the recoil of an impact to the next.
 pub(crate) struct Flight<M> {
     pub(crate) motion: M,
 }
