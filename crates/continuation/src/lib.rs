@@ -15,6 +15,7 @@
 //!        └─ locate, curve    conditions, points, curves with events and named ends
 //!             └─ resonance   resonant grazing points and the curves that leave them in the direction of the theory
 //!                  └─ fit    quadratic coefficients measured on these curves
+//!   mps ─ flights            the motion of a solution, its maxima, what is known of it
 //!   mps ─ criticality        normal form of period doublings, from third derivatives
 //!   mps ─ doubled            orbits with two impacts that leave period doublings, and where they graze
 //! cascade                    period doubling after period doubling in the limit map
@@ -52,6 +53,7 @@ pub mod cusp;
 pub mod doubled;
 mod emerging;
 pub mod fit;
+pub mod flights;
 mod follow;
 pub mod locate;
 pub mod mps;

@@ -21,12 +21,8 @@ mod symmetry;
 
 use core::f64::consts::{PI, TAU};
 
-use grazing_model::maps::{self, MapError, Passage};
-use grazing_model::motion::{Maximum, Motion};
-use grazing_model::phase::turned;
-use grazing_model::smooth::Purpose;
+use grazing_model::maps::{self, MapError};
 use grazing_model::{AnyOscillator, AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
-use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 use smallvec::SmallVec;
 
@@ -35,17 +31,13 @@ pub use symmetry::Symmetry;
 
 pub(crate) use crate::solution::Stability;
 pub use crate::solution::{Multipliers, PeriodicSolution};
-use crate::tolerances::{FAR, RECURS, REST, UNSURE_HEIGHT};
+use crate::tolerances::{FAR, RECURS};
 pub use crate::unknowns::{Unknowns, parameters, unknown};
 
 /// The state at phase zero for a point without impacts.
-fn at_phase_zero(point: &Unknowns) -> AtPhase {
+pub(crate) fn at_phase_zero(point: &Unknowns) -> AtPhase {
     AtPhase::new(point[0], point[1])
 }
-
-/// Fraction of a flight: a maximum nearer to one of its ends than this is that end, which is
-/// located like all maxima to some 10⁻⁸.
-const END: f64 = 1e-4;
 
 /// The surface on which the map through recoil and loops is compared with the direct map from the
 /// impact.
@@ -61,13 +53,6 @@ pub enum Formulation {
     /// and one landing serves all loops: curves are followed with it.
     FixedPhase,
 }
-
-/// A flight of a solution, from the recoil of an impact to the next.
-pub(crate) struct Flight<M> {
-    pub(crate) motion: M,
-}
-
-pub(crate) type Flights<M> = SmallVec<[Flight<M>; 1]>;
 
 /// The planes of comparison through the impacts of a solution.
 pub(crate) fn planes(point: &Unknowns) -> SmallVec<[f64; 1]> {
@@ -217,18 +202,6 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.oscillator_at(point).reset::<1>(point.impact(impact)).image().into()
     }
 
-    /// The flights of a solution, from impact to impact; without impacts one over a forcing period.
-    pub(crate) fn flights(&self, point: &Unknowns) -> Flights<O::Motion> {
-        let oscillator = self.oscillator_at(point);
-        let flight = |from: State| Flight { motion: oscillator.motion(from) };
-        match self.has_impacts() {
-            true => (0..point.impacts())
-                .map(|impact| flight(oscillator.reset::<1>(point.impact(impact)).image().into()))
-                .collect(),
-            false => SmallVec::from_buf([flight(at_phase_zero(point).at_phase_zero())]),
-        }
-    }
-
     /// The maps of all impacts at a point with derivatives up to `ORDER`.
     ///
     /// # Errors
@@ -269,18 +242,17 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The maps to planes of constant phase, given the flights. Without impacts they are the flow
     /// over a forcing period, or over half of it with a mirror, and the identity; they are undefined
     /// where motion goes far away.
-    fn maps_along<const ORDER: usize>(
+    pub(crate) fn maps_along<const ORDER: usize>(
         &self,
         point: &Unknowns,
         planes: &[f64],
-        flights: &[Flight<O::Motion>],
+        flights: &[O::Motion],
         mirror: Option<Symmetry>,
     ) -> Result<Round, MapError> {
         if self.has_impacts() {
             return Ok(self.fixed_phase_maps::<ORDER>(point, planes, flights));
         }
-        let (oscillator, from, motion) =
-            (self.oscillator_at(point), at_phase_zero(point), &flights[0].motion);
+        let (oscillator, from, motion) = (self.oscillator_at(point), at_phase_zero(point), &flights[0]);
         let to =
             |phase| maps::to_phase::<O, ORDER, AtPhase>(&oscillator, motion, from.at_phase_zero(), phase);
         let around = match mirror {
@@ -295,23 +267,30 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok(LoopPair::of(&around, &MapJet::identity(from)).into())
     }
 
+    /// The stability of symmetric motion over the whole period, from the map over half of it.
+    pub(crate) fn symmetric_stability(&self, point: &Unknowns, flights: &[O::Motion]) -> Option<Stability> {
+        let mirror = Some(self.symmetry?);
+        let maps = self.maps_along::<1>(point, &planes(point), flights, mirror).ok()?;
+        (maps.distance() < RECURS).then(|| maps.stability().of_the_square())
+    }
+
     /// The maps of solutions with impacts to the planes of constant phase, one for each impact, which
     /// exist at every point.
     pub(crate) fn fixed_phase_maps<const ORDER: usize>(
         &self,
         point: &Unknowns,
         planes: &[f64],
-        flights: &[Flight<O::Motion>],
+        flights: &[O::Motion],
     ) -> Round {
         let oscillator = self.oscillator_at(point);
-        let pair = |(index, flight): (usize, &Flight<O::Motion>)| {
+        let pair = |(index, flight): (usize, &O::Motion)| {
             let impact = point.impact(index);
             let reset = oscillator.reset::<ORDER>(impact);
             let [from_recoil, from_impact]: [State; 2] = [reset.image().into(), impact.into()];
             let (next, loops) =
                 if index + 1 == flights.len() { (planes[0], self.loops) } else { (planes[index + 1], 0) };
             let around_to = next + f64::from(loops) * TAU;
-            let around = maps::to_phase::<O, ORDER, _>(&oscillator, &flight.motion, from_recoil, around_to);
+            let around = maps::to_phase::<O, ORDER, _>(&oscillator, flight, from_recoil, around_to);
             let straight = oscillator.motion(from_impact);
             let ahead =
                 maps::to_phase::<O, ORDER, OnWall>(&oscillator, &straight, from_impact, planes[index]);
@@ -385,52 +364,6 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok((jet.value[0], gradient))
     }
 
-    /// The index of the flight at a time after the first recoil, and the time at which it begins.
-    pub(crate) fn flight_at(&self, point: &Unknowns, time: f64) -> (usize, f64) {
-        if point.impacts() == 1 {
-            return (0, 0.0);
-        }
-        let spans = self.spans(point);
-        let after = spans.iter().take_while(|[start, _]| *start <= time).count();
-        (after.max(1) - 1, spans[after.max(1) - 1][0])
-    }
-
-    /// The times at which flights begin and how long they take, from the first recoil on.
-    fn spans(&self, point: &Unknowns) -> SmallVec<[[f64; 2]; 1]> {
-        if !self.has_impacts() {
-            return SmallVec::from_buf([[0.0, self.oscillator_at(point).forcing_period()]]);
-        }
-        let oscillator = self.oscillator_at(point);
-        let frequency = oscillator.forcing_frequency().value;
-        let count = point.impacts();
-        let phases = |impact: usize| {
-            let at = point.impact(impact);
-            [at.phase, State::from(oscillator.reset::<1>(at).image()).phase]
-        };
-        let [_, first] = phases(0);
-        (0..count)
-            .map(|impact| {
-                let [_, recoil] = phases(impact);
-                let loops = if impact + 1 == count { self.loops } else { 0 };
-                let next = point[unknown::phase((impact + 1) % count)];
-                [(recoil - first) / frequency, flight_time(&oscillator, loops, next, recoil)]
-            })
-            .collect()
-    }
-
-    /// The solution on a curve of interior grazing as a grazing orbit with impacts elsewhere; `None` where
-    /// P_global is not defined.
-    pub fn touching_orbit(&self, point: &Unknowns, times: &EventTimes) -> Option<GrazingOrbit<O>> {
-        let oscillator = self.oscillator_at(point);
-        let (touching, start) = self.flight_at(point, times.grazing_time);
-        let spans = self.spans(point);
-        let back = times.grazing_time - start;
-        let phase = self.departure(point).phase + oscillator.forcing_frequency().value * times.grazing_time;
-        let others = (1..spans.len()).map(|later| spans[(touching + later) % spans.len()][1]);
-        let to_wall = [spans[touching][1] - back].into_iter().chain(others);
-        GrazingOrbit::through(oscillator, phase, Passage::through(self.loops, to_wall, back)).ok()
-    }
-
     /// The position x of the flight when the forcing is at a phase, counted from that of the
     /// recoil, with its first derivatives in the unknowns.
     pub fn position_at(&self, point: &Unknowns, phase: f64) -> (f64, Unknowns) {
@@ -444,145 +377,4 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         (0..4).for_each(|index| gradient[index] = jet.jacobian[(0, index)]);
         (jet.value[0], gradient)
     }
-
-    /// The periodic solution at a zero of the equations: multipliers, maxima, stability,
-    /// admissibility.
-    ///
-    /// No virtual points are needed, for any formulation.
-    pub fn solution(&self, point: &Unknowns) -> PeriodicSolution {
-        self.solution_and_stability(point).0
-    }
-
-    /// The periodic solution at a zero of the equations, with the stability from which its
-    /// multipliers follow.
-    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
-        let flights = self.flights(point);
-        let stability = self.symmetric_stability(point, &flights).unwrap_or_else(|| {
-            let maps = self.maps_along::<1>(point, &planes(point), &flights, None);
-            maps.map_or(Stability::UNKNOWN, |maps| maps.stability())
-        });
-        (self.orbit(point, &flights, stability.multipliers), stability)
-    }
-
-    /// The stability of symmetric motion over the whole period, from the map over half of it.
-    fn symmetric_stability(&self, point: &Unknowns, flights: &[Flight<O::Motion>]) -> Option<Stability> {
-        let mirror = Some(self.symmetry?);
-        let maps = self.maps_along::<1>(point, &planes(point), flights, mirror).ok()?;
-        (maps.distance() < RECURS).then(|| maps.stability().of_the_square())
-    }
-
-    /// The periodic solution at a point with y = 0 that is approached along a curve with the given
-    /// tangent; its multipliers are limits.
-    pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
-        let flights = self.flights(point);
-        let maps = self.fixed_phase_maps::<2>(point, &planes(point), &flights);
-        // The orbit begins and ends at a maximum; neither is an interior one.
-        let highest = self.highest(point, &flights, |motion, flight| {
-            let ends = END * flight;
-            let interior = motion
-                .local_maxima(flight)
-                .into_iter()
-                .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
-            interior.max_by(|a, b| a.position.total_cmp(&b.position))
-        });
-        PeriodicSolution {
-            loops: self.loops,
-            unknowns: point.clone(),
-            multipliers: maps.limiting_multipliers(tangent),
-            highest_interior_maximum: highest,
-        }
-    }
-
-    /// The periodic solution to fewer digits, with known multipliers; its maxima are computed only
-    /// on request.
-    pub(crate) fn sketch(
-        &self,
-        point: &Unknowns,
-        multipliers: Multipliers,
-        with_maxima: bool,
-    ) -> PeriodicSolution {
-        if with_maxima {
-            let orbit = |equations: &Self| self.orbit(point, &equations.flights(point), multipliers);
-            return Purpose::Admissibility.during(|| {
-                let rough = orbit(&self.roughly());
-                if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) }
-            });
-        }
-        let (loops, unknowns) = (self.loops, point.clone());
-        PeriodicSolution { loops, unknowns, multipliers, highest_interior_maximum: None }
-    }
-
-    fn orbit(
-        &self,
-        point: &Unknowns,
-        flights: &[Flight<O::Motion>],
-        multipliers: Multipliers,
-    ) -> PeriodicSolution {
-        PeriodicSolution {
-            loops: self.loops,
-            unknowns: point.clone(),
-            multipliers,
-            highest_interior_maximum: Purpose::Admissibility.during(|| match self.has_impacts() {
-                true => self.highest(point, flights, |motion, flight| motion.highest_maximum(flight)),
-                false => Some(highest_point(&flights[0].motion, self.flight(point))),
-            }),
-        }
-    }
-
-    /// The highest of the maxima that are found in each flight, its time counted from the first
-    /// recoil.
-    fn highest(
-        &self,
-        point: &Unknowns,
-        flights: &[Flight<O::Motion>],
-        of: impl Fn(&O::Motion, f64) -> Option<Maximum>,
-    ) -> Option<Maximum> {
-        let spans = self.spans(point);
-        let found = flights.iter().zip(spans).filter_map(|(flight, [start, duration])| {
-            let top = of(&flight.motion, duration)?;
-            Some(Maximum { time: top.time + start, ..top })
-        });
-        found.max_by(|a, b| a.position.total_cmp(&b.position))
-    }
-
-    /// The time from the first recoil to the next first impact; without impacts the forcing period.
-    pub fn flight(&self, point: &Unknowns) -> f64 {
-        let oscillator = self.oscillator_at(point);
-        match self.has_impacts() {
-            true => flight_time(&oscillator, self.loops, point[unknown::PHASE], self.departure(point).phase),
-            false => oscillator.forcing_period(),
-        }
-    }
-
-    /// Velocity and phase of the impact of a solution; without impacts 0 and the phase of the
-    /// highest point, in [0, 2π).
-    pub fn impact(&self, solution: &PeriodicSolution) -> [f64; 2] {
-        let point = &solution.unknowns;
-        if self.has_impacts() {
-            return [point[unknown::VELOCITY], point[unknown::PHASE]];
-        }
-        let time = solution.highest_interior_maximum.map_or(f64::NAN, |maximum| maximum.time);
-        [0.0, turned(time * self.oscillator_at(point).forcing_frequency().value)]
-    }
-}
-
-/// The time from the recoil to the impact of a solution with p loops, p T − (z_rec − z)/ω, computed
-/// from the phases of impact and recoil.
-pub fn flight_time<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: f64, recoil: f64) -> f64 {
-    let lag = (recoil - impact) / oscillator.forcing_frequency().value;
-    f64::from(loops) * oscillator.forcing_period() - lag
-}
-
-/// Number of instants of a period at which rest is recognised: no motion is slow at all of them.
-const INSTANTS: u32 = 32;
-
-/// The highest point of periodic motion; the first point if it is at rest.
-fn highest_point(motion: &impl Motion, period: f64) -> Maximum {
-    let at_rest = (0..=INSTANTS).all(|instant| {
-        let here = motion.at(period * f64::from(instant) / f64::from(INSTANTS));
-        here.velocity.abs() * period <= REST && here.acceleration.abs() * period * period <= REST
-    });
-    // Slightly more than a period, so that a maximum at phase zero lies inside.
-    let highest = if at_rest { None } else { motion.highest_maximum(1.25 * period) };
-    highest.unwrap_or_else(|| Maximum { time: 0.0, position: motion.at(0.0).position })
 }

@@ -9,8 +9,6 @@
 //! the jet, and can be passed as a guess to the next call: "the next maximum" is ambiguous once a
 //! loop has grown a second one, a continued time is not.
 
-mod passage;
-
 use core::f64::consts::TAU;
 
 use nalgebra::{Matrix6, Vector2, Vector4};
@@ -20,8 +18,6 @@ use crate::motion::Motion;
 use crate::oscillator::ImpactOscillator;
 use crate::state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable as flow};
 use crate::tolerances::{LAST_STEP_TO_SECTION, LAST_STEP_TO_WALL, MOST_ITERATIONS, MOST_PERIODS};
-
-pub use passage::{Passage, Passed};
 
 /// The reason why a map is not defined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -247,7 +243,7 @@ pub fn maximum_from_phase_zero<O: ImpactOscillator, const ORDER: usize>(
 
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
 #[inline]
-fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface>(
+pub(crate) fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface>(
     oscillator: &O,
     from: State,
     guess: f64,
@@ -289,30 +285,79 @@ fn finish_landing<O: ImpactOscillator, const ORDER: usize, A: Surface>(
     if acceleration.is_nan() || acceleration >= 0.0 {
         return Err(MapError::NotAMaximum { acceleration });
     }
-    Ok(Landing { jet: implicit_landing::<ORDER, A>(oscillator, &jet, from.phase, time, turn), time })
+    Ok(Landing { jet: implicit_landing::<ORDER, A, AtRest>(oscillator, &jet, from.phase, time, turn), time })
 }
 
-/// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the
-/// duration s.
-///
-/// As ẋ = y = 0 there, second derivatives of s do not enter those of x'.
+/// Solves for the crossing of the wall upwards near a time, and differentiates the landing point
+/// (y, z) implicitly; returns the time as well.
+pub(crate) fn land_on_wall<O: ImpactOscillator, const ORDER: usize, A: Surface>(
+    oscillator: &O,
+    from: State,
+    guess: f64,
+) -> Result<(MapJet<A, OnWall>, f64), MapError> {
+    let motion = oscillator.motion(from);
+    let mut time = guess;
+    for _ in 0..MOST_ITERATIONS {
+        let here = motion.at(time);
+        let step = here.position / here.velocity;
+        time -= step;
+        // NaN counts as far away as well.
+        let near = (time - guess).abs() <= oscillator.forcing_period();
+        if !near {
+            break;
+        }
+        if step.abs() <= LAST_STEP_TO_SECTION {
+            // One more step, of second order, leaves rounding only.
+            let here = motion.at(time);
+            time -= here.position / here.velocity;
+            let jet = oscillator.flow_along::<ORDER>(&motion, from, time);
+            let velocity = jet.value[1];
+            if velocity.is_nan() || velocity <= 0.0 {
+                return Err(MapError::NoCrossing { near: guess, velocity });
+            }
+            return Ok((implicit_landing::<ORDER, A, OnWall>(oscillator, &jet, from.phase, time, 0.0), time));
+        }
+    }
+    Err(MapError::NoCrossing { near: guess, velocity: motion.at(guess).velocity })
+}
+
+/// A surface that the flow crosses: where a component of (x, y) vanishes.
+trait Landed: Surface {
+    /// The component that vanishes, which defines the duration of the flow.
+    const VANISHING: usize;
+}
+
+impl Landed for AtRest {
+    const VANISHING: usize = 1;
+}
+
+impl Landed for OnWall {
+    const VANISHING: usize = 0;
+}
+
+/// The jet of the landing point, (x', z') on Π and (y', z') on Σ, from the flow's jet, where the
+/// component that vanishes there defines the duration s as a function of (u, z; μ, η).
 #[inline]
-fn implicit_landing<const ORDER: usize, A: Surface>(
+fn implicit_landing<const ORDER: usize, A: Surface, B: Landed>(
     oscillator: &impl ImpactOscillator,
     jet: &FlowJet,
     phase: f64,
     time: f64,
     turn: f64,
-) -> MapJet<A, AtRest> {
+) -> MapJet<A, B> {
+    let (vanishing, other) = (B::VANISHING, 1 - B::VANISHING);
     let columns = map_columns::<A>();
     let frequency = oscillator.forcing_frequency();
     let omega = [0.0, 0.0, frequency.gradient[0], frequency.gradient[1]];
-    let acceleration = jet.jacobian[(1, flow::DURATION)];
-    let ds = Vector4::from_fn(|a, _| -jet.jacobian[(1, columns[a])] / acceleration);
+    let rate = jet.jacobian[(vanishing, flow::DURATION)];
+    // On Π the rate of x is the velocity, which is zero there but for rounding.
+    let along_the_surface = if other == 0 { 0.0 } else { jet.jacobian[(other, flow::DURATION)] };
+    let ds = Vector4::from_fn(|a, _| -jet.jacobian[(vanishing, columns[a])] / rate);
 
-    let mut map = MapJet::constant(Vector2::new(jet.value[0], phase + frequency.value * time - turn));
+    let end = phase + frequency.value * time - turn;
+    let mut map = MapJet::constant(Vector2::new(jet.value[other], end));
     for a in 0..4 {
-        map.jacobian[(0, a)] = jet.jacobian[(0, columns[a])];
+        map.jacobian[(0, a)] = jet.jacobian[(other, columns[a])] + along_the_surface * ds[a];
         map.jacobian[(1, a)] = frequency.value * ds[a] + omega[a] * time;
     }
     if A::VARIABLES[1] == flow::PHASE {
@@ -322,11 +367,11 @@ fn implicit_landing<const ORDER: usize, A: Surface>(
         for a in 0..4 {
             for b in 0..=a {
                 let along = |component: usize| second_along(&jet.hessians[component], &columns, &ds, a, b);
-                let dds = -along(1) / acceleration;
+                let dds = -along(vanishing) / rate;
                 let curvature = if b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
                 let phase_entry =
                     frequency.value * dds + omega[a] * ds[b] + omega[b] * ds[a] + curvature * time;
-                map.set_second(0, [a, b], along(0));
+                map.set_second(0, [a, b], along(other) + along_the_surface * dds);
                 map.set_second(1, [a, b], phase_entry);
             }
         }

@@ -4,9 +4,9 @@
 //! every coefficient is a first or second derivative of P_global. For the linear oscillator the
 //! results agree with [`linear_oscillator`](crate::linear_oscillator).
 
-use grazing_model::maps::{MapError, Passage, Passed};
+use grazing_model::maps::MapError;
 use grazing_model::motion::Motion;
-use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, MapJet, OnWall, State};
+use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, MapJet, OnWall, Passage, Passed, State};
 use nalgebra::{Matrix2, Vector2, Vector3};
 use smallvec::SmallVec;
 

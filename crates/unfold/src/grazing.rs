@@ -10,9 +10,9 @@ use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangen
 use grazing_continuation::curve::{Curve, CurvePoint};
 use grazing_continuation::mps::{LoopEquations, Multipliers, PeriodicSolution, unknown};
 use grazing_continuation::newton::{Linearisation, NewtonFailure};
-use grazing_model::maps::{MapError, Passage};
+use grazing_model::maps::MapError;
 use grazing_model::motion::Motion;
-use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, State};
+use grazing_model::{AnyOscillator, AtRest, ImpactOscillator, Passage, State};
 use grazing_theorems::GrazingPoint;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
 use nalgebra::{Matrix2, Matrix3, Vector3};

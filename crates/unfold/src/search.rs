@@ -11,8 +11,9 @@ mod field;
 use core::f64::consts::{PI, TAU};
 
 use grazing_continuation::curve::Window;
+use grazing_continuation::flights::flight_time;
 use grazing_continuation::locate::{Condition, locate_within};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, flight_time, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};

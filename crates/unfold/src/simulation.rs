@@ -2,7 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::mps::{Unknowns, flight_time, unknown};
+use grazing_continuation::flights::flight_time;
+use grazing_continuation::mps::{Unknowns, unknown};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};

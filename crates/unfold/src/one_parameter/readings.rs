@@ -1,6 +1,7 @@
 //! Quantities of solutions and simulated motion other than x on Π.
 
-use grazing_continuation::mps::{PeriodicSolution, flight_time};
+use grazing_continuation::flights::flight_time;
+use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
 use grazing_model::phase::{centred, turned};

@@ -7,15 +7,12 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::Vector4;
 use smallvec::SmallVec;
 
-use super::{Landing, MapError, flow, land_on_section, map_columns, second_along};
-use crate::jet::{FlowJet, MapJet};
-use crate::motion::Motion;
+use crate::jet::MapJet;
+use crate::maps::{Landing, MapError, land_on_section, land_on_wall};
 use crate::oscillator::ImpactOscillator;
-use crate::state::{AtRest, OnWall, State, Surface};
-use crate::tolerances::{LAST_STEP_TO_SECTION, MOST_ITERATIONS};
+use crate::state::{AtRest, OnWall};
 
 /// A way from Π back to Π: the times of its flights, with an impact between each and the next, and
 /// the number of forcing periods that it takes.
@@ -103,76 +100,4 @@ impl Passage {
         self.back = Some(last.time);
         Ok(Passed { jet: last.jet, impacts })
     }
-}
-
-/// Solves for the crossing of the wall upwards near a time, and differentiates the landing point
-/// (y, z) implicitly; returns the time as well.
-fn land_on_wall<O: ImpactOscillator, const ORDER: usize, A: Surface>(
-    oscillator: &O,
-    from: State,
-    guess: f64,
-) -> Result<(MapJet<A, OnWall>, f64), MapError> {
-    let motion = oscillator.motion(from);
-    let mut time = guess;
-    for _ in 0..MOST_ITERATIONS {
-        let here = motion.at(time);
-        let step = here.position / here.velocity;
-        time -= step;
-        // NaN counts as far away as well.
-        let near = (time - guess).abs() <= oscillator.forcing_period();
-        if !near {
-            break;
-        }
-        if step.abs() <= LAST_STEP_TO_SECTION {
-            // One more step, of second order, leaves rounding only.
-            let here = motion.at(time);
-            time -= here.position / here.velocity;
-            let jet = oscillator.flow_along::<ORDER>(&motion, from, time);
-            let velocity = jet.value[1];
-            if velocity.is_nan() || velocity <= 0.0 {
-                return Err(MapError::NoCrossing { near: guess, velocity });
-            }
-            return Ok((implicit_impact::<ORDER, A>(oscillator, &jet, from.phase, time), time));
-        }
-    }
-    Err(MapError::NoCrossing { near: guess, velocity: motion.at(guess).velocity })
-}
-
-/// The jet of (y', z') from the flow's jet at the wall, where x(u, z, s; μ, η) = 0 defines the
-/// duration s.
-fn implicit_impact<const ORDER: usize, A: Surface>(
-    oscillator: &impl ImpactOscillator,
-    jet: &FlowJet,
-    phase: f64,
-    time: f64,
-) -> MapJet<A, OnWall> {
-    let columns = map_columns::<A>();
-    let frequency = oscillator.forcing_frequency();
-    let omega = [0.0, 0.0, frequency.gradient[0], frequency.gradient[1]];
-    let velocity = jet.jacobian[(0, flow::DURATION)];
-    let acceleration = jet.jacobian[(1, flow::DURATION)];
-    let ds = Vector4::from_fn(|a, _| -jet.jacobian[(0, columns[a])] / velocity);
-
-    let mut map = MapJet::constant([jet.value[1], phase + frequency.value * time].into());
-    for a in 0..4 {
-        map.jacobian[(0, a)] = jet.jacobian[(1, columns[a])] + acceleration * ds[a];
-        map.jacobian[(1, a)] = frequency.value * ds[a] + omega[a] * time;
-    }
-    if A::VARIABLES[1] == flow::PHASE {
-        map.jacobian[(1, 1)] += 1.0;
-    }
-    if ORDER >= 2 {
-        for a in 0..4 {
-            for b in 0..=a {
-                let along = |component: usize| second_along(&jet.hessians[component], &columns, &ds, a, b);
-                let dds = -along(0) / velocity;
-                let curvature = if b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
-                let phase_entry =
-                    frequency.value * dds + omega[a] * ds[b] + omega[b] * ds[a] + curvature * time;
-                map.set_second(0, [a, b], along(1) + acceleration * dds);
-                map.set_second(1, [a, b], phase_entry);
-            }
-        }
-    }
-    map
 }

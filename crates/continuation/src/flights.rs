@@ -1,0 +1,208 @@
+//! The motion of a periodic solution, flight by flight, and what is known of the solution from it.
+
+use grazing_model::motion::{Maximum, Motion};
+use grazing_model::phase::turned;
+use grazing_model::smooth::Purpose;
+use grazing_model::{ImpactOscillator, Passage, State};
+use grazing_theorems::from_map::GrazingOrbit;
+use smallvec::SmallVec;
+
+use crate::mps::{EventTimes, LoopEquations, at_phase_zero, planes};
+use crate::solution::{Multipliers, PeriodicSolution, Stability};
+use crate::tolerances::{REST, UNSURE_HEIGHT};
+use crate::unknowns::{Unknowns, unknown};
+
+/// Fraction of a flight: a maximum nearer to one of its ends than this is that end, which is
+/// located like all maxima to some 10⁻⁸.
+const END: f64 = 1e-4;
+
+impl<O: ImpactOscillator> LoopEquations<O> {
+    /// The flights of a solution, from impact to impact; without impacts one over a forcing period.
+    pub(crate) fn flights(&self, point: &Unknowns) -> SmallVec<[O::Motion; 1]> {
+        let oscillator = self.oscillator_at(point);
+        let flight = |from: State| oscillator.motion(from);
+        match self.has_impacts() {
+            true => (0..point.impacts())
+                .map(|impact| flight(oscillator.reset::<1>(point.impact(impact)).image().into()))
+                .collect(),
+            false => SmallVec::from_buf([flight(at_phase_zero(point).at_phase_zero())]),
+        }
+    }
+
+    /// The index of the flight at a time after the first recoil, and the time at which it begins.
+    pub(crate) fn flight_at(&self, point: &Unknowns, time: f64) -> (usize, f64) {
+        if point.impacts() == 1 {
+            return (0, 0.0);
+        }
+        let spans = self.spans(point);
+        let after = spans.iter().take_while(|[start, _]| *start <= time).count();
+        (after.max(1) - 1, spans[after.max(1) - 1][0])
+    }
+
+    /// The times at which flights begin and how long they take, from the first recoil on.
+    fn spans(&self, point: &Unknowns) -> SmallVec<[[f64; 2]; 1]> {
+        if !self.has_impacts() {
+            return SmallVec::from_buf([[0.0, self.oscillator_at(point).forcing_period()]]);
+        }
+        let oscillator = self.oscillator_at(point);
+        let frequency = oscillator.forcing_frequency().value;
+        let count = point.impacts();
+        let phases = |impact: usize| {
+            let at = point.impact(impact);
+            [at.phase, State::from(oscillator.reset::<1>(at).image()).phase]
+        };
+        let [_, first] = phases(0);
+        (0..count)
+            .map(|impact| {
+                let [_, recoil] = phases(impact);
+                let loops = if impact + 1 == count { self.loops() } else { 0 };
+                let next = point[unknown::phase((impact + 1) % count)];
+                [(recoil - first) / frequency, flight_time(&oscillator, loops, next, recoil)]
+            })
+            .collect()
+    }
+
+    /// The solution on a curve of interior grazing as a grazing orbit with impacts elsewhere; `None` where
+    /// P_global is not defined.
+    pub fn touching_orbit(&self, point: &Unknowns, times: &EventTimes) -> Option<GrazingOrbit<O>> {
+        let oscillator = self.oscillator_at(point);
+        let (touching, start) = self.flight_at(point, times.grazing_time);
+        let spans = self.spans(point);
+        let back = times.grazing_time - start;
+        let phase = self.departure(point).phase + oscillator.forcing_frequency().value * times.grazing_time;
+        let others = (1..spans.len()).map(|later| spans[(touching + later) % spans.len()][1]);
+        let to_wall = [spans[touching][1] - back].into_iter().chain(others);
+        GrazingOrbit::through(oscillator, phase, Passage::through(self.loops(), to_wall, back)).ok()
+    }
+
+    /// The periodic solution at a zero of the equations: multipliers, maxima, stability,
+    /// admissibility.
+    ///
+    /// No virtual points are needed, for any formulation.
+    pub fn solution(&self, point: &Unknowns) -> PeriodicSolution {
+        self.solution_and_stability(point).0
+    }
+
+    /// The periodic solution at a zero of the equations, with the stability from which its
+    /// multipliers follow.
+    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
+        let flights = self.flights(point);
+        let stability = self.symmetric_stability(point, &flights).unwrap_or_else(|| {
+            let maps = self.maps_along::<1>(point, &planes(point), &flights, None);
+            maps.map_or(Stability::UNKNOWN, |maps| maps.stability())
+        });
+        (self.orbit(point, &flights, stability.multipliers), stability)
+    }
+
+    /// The periodic solution at a point with y = 0 that is approached along a curve with the given
+    /// tangent; its multipliers are limits.
+    pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> PeriodicSolution {
+        let flights = self.flights(point);
+        let maps = self.fixed_phase_maps::<2>(point, &planes(point), &flights);
+        // The orbit begins and ends at a maximum; neither is an interior one.
+        let highest = self.highest(point, &flights, |motion, flight| {
+            let ends = END * flight;
+            let interior = motion
+                .local_maxima(flight)
+                .into_iter()
+                .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
+            interior.max_by(|a, b| a.position.total_cmp(&b.position))
+        });
+        PeriodicSolution {
+            loops: self.loops(),
+            unknowns: point.clone(),
+            multipliers: maps.limiting_multipliers(tangent),
+            highest_interior_maximum: highest,
+        }
+    }
+
+    /// The periodic solution to fewer digits, with known multipliers; its maxima are computed only
+    /// on request.
+    pub(crate) fn sketch(
+        &self,
+        point: &Unknowns,
+        multipliers: Multipliers,
+        with_maxima: bool,
+    ) -> PeriodicSolution {
+        if with_maxima {
+            let orbit = |equations: &Self| self.orbit(point, &equations.flights(point), multipliers);
+            return Purpose::Admissibility.during(|| {
+                let rough = orbit(&self.roughly());
+                if rough.ceiling().abs() > UNSURE_HEIGHT { rough } else { orbit(self) }
+            });
+        }
+        let (loops, unknowns) = (self.loops(), point.clone());
+        PeriodicSolution { loops, unknowns, multipliers, highest_interior_maximum: None }
+    }
+
+    fn orbit(&self, point: &Unknowns, flights: &[O::Motion], multipliers: Multipliers) -> PeriodicSolution {
+        PeriodicSolution {
+            loops: self.loops(),
+            unknowns: point.clone(),
+            multipliers,
+            highest_interior_maximum: Purpose::Admissibility.during(|| match self.has_impacts() {
+                true => self.highest(point, flights, |motion, flight| motion.highest_maximum(flight)),
+                false => Some(highest_point(&flights[0], self.flight(point))),
+            }),
+        }
+    }
+
+    /// The highest of the maxima that are found in each flight, its time counted from the first
+    /// recoil.
+    fn highest(
+        &self,
+        point: &Unknowns,
+        flights: &[O::Motion],
+        of: impl Fn(&O::Motion, f64) -> Option<Maximum>,
+    ) -> Option<Maximum> {
+        let spans = self.spans(point);
+        let found = flights.iter().zip(spans).filter_map(|(flight, [start, duration])| {
+            let top = of(flight, duration)?;
+            Some(Maximum { time: top.time + start, ..top })
+        });
+        found.max_by(|a, b| a.position.total_cmp(&b.position))
+    }
+
+    /// The time from the first recoil to the next first impact; without impacts the forcing period.
+    pub fn flight(&self, point: &Unknowns) -> f64 {
+        let oscillator = self.oscillator_at(point);
+        match self.has_impacts() {
+            true => {
+                flight_time(&oscillator, self.loops(), point[unknown::PHASE], self.departure(point).phase)
+            }
+            false => oscillator.forcing_period(),
+        }
+    }
+
+    /// Velocity and phase of the impact of a solution; without impacts 0 and the phase of the
+    /// highest point, in [0, 2π).
+    pub fn impact(&self, solution: &PeriodicSolution) -> [f64; 2] {
+        let point = &solution.unknowns;
+        if self.has_impacts() {
+            return [point[unknown::VELOCITY], point[unknown::PHASE]];
+        }
+        let time = solution.highest_interior_maximum.map_or(f64::NAN, |maximum| maximum.time);
+        [0.0, turned(time * self.oscillator_at(point).forcing_frequency().value)]
+    }
+}
+
+/// The time from the recoil to the impact of a solution with p loops, p T − (z_rec − z)/ω, computed
+/// from the phases of impact and recoil.
+pub fn flight_time<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: f64, recoil: f64) -> f64 {
+    let lag = (recoil - impact) / oscillator.forcing_frequency().value;
+    f64::from(loops) * oscillator.forcing_period() - lag
+}
+
+/// Number of instants of a period at which rest is recognised: no motion is slow at all of them.
+const INSTANTS: u32 = 32;
+
+/// The highest point of periodic motion; the first point if it is at rest.
+fn highest_point(motion: &impl Motion, period: f64) -> Maximum {
+    let at_rest = (0..=INSTANTS).all(|instant| {
+        let here = motion.at(period * f64::from(instant) / f64::from(INSTANTS));
+        here.velocity.abs() * period <= REST && here.acceleration.abs() * period * period <= REST
+    });
+    // Slightly more than a period, so that a maximum at phase zero lies inside.
+    let highest = if at_rest { None } else { motion.highest_maximum(1.25 * period) };
+    highest.unwrap_or_else(|| Maximum { time: 0.0, position: motion.at(0.0).position })
+}
