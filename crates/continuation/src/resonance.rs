@@ -15,6 +15,7 @@ use crate::bifurcation::Pair;
 use crate::curve::{Curve, CurveEnd, Event, Route, SolutionCurve};
 use crate::locate::{Condition, LocateFailure, locate, same_point};
 use crate::mps::{EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown};
+use crate::newton::NewtonFailure;
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
 /// The reason why a resonant grazing point could not be analysed.
@@ -124,6 +125,14 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
             last = step.abs();
             let place = orbit.place().moved(orbit.oscillator(), secondary - step)?;
             orbit = GrazingOrbit::of(orbit.oscillator(), place)?;
+        }
+        let [detuning, slope] = orbit.detuning(loops, &orbit.derivative_of_map());
+        let is_there = detuning.abs() <= off_resonance(orbit.oscillator().parameters()[1], slope);
+        if !is_there {
+            let (iterations, residual) = (POLISHING_FROM_AFAR, detuning);
+            return Err(ResonanceError::NotLocated(
+                NewtonFailure::NoConvergence { iterations, residual }.into(),
+            ));
         }
         let point = orbit.resonant_point(loops)?;
         let periods = loops * orbit.passage().periods();

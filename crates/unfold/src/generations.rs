@@ -16,7 +16,7 @@ use crate::curves::DiagramCurve;
 use crate::diagram::{Diagram, drawn};
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
-use crate::resonances::{Resonance, distinct, on_curve};
+use crate::resonances::{Resonance, Unlocated, distinct, on_curve};
 
 /// A resonance of motion with impacts, and the curves that leave it.
 #[derive(Clone, Debug)]
@@ -43,16 +43,25 @@ impl LaterResonance {
     }
 }
 
+/// The resonances of motion with impacts.
+#[derive(Clone, Debug, Default)]
+pub struct Later {
+    /// Those that were located, by curve and by q.
+    pub resonances: Vec<LaterResonance>,
+    /// Those that were detected but could not be located.
+    pub unlocated: Vec<Unlocated>,
+}
+
 /// The stage in which these resonances are looked for.
 const STAGE: &str = "resonances of motion with impacts";
 
 /// The resonances of the scope's numbers of loops on all curves of a diagram at which solutions with impacts
 /// graze, by curve and by q, with the curves that leave them.
-pub fn later(diagram: &Diagram, scope: &Scope, progress: &dyn Progress) -> Vec<LaterResonance> {
+pub fn later(diagram: &Diagram, scope: &Scope, progress: &dyn Progress) -> Later {
     let bases: Vec<(usize, &DiagramCurve)> =
         diagram.curves.iter().enumerate().filter(|(_, curve)| curve.kind == Bifurcation::Grazing).collect();
     progress.begin(STAGE, bases.len() as u64);
-    let found: Vec<Vec<LaterResonance>> = bases
+    let found: Vec<Later> = bases
         .into_par_iter()
         .map(|(base, curve)| {
             let found = Purpose::Curves.during(|| on_base(diagram, base, curve, scope, progress));
@@ -61,7 +70,12 @@ pub fn later(diagram: &Diagram, scope: &Scope, progress: &dyn Progress) -> Vec<L
         })
         .collect();
     progress.end(STAGE);
-    found.into_iter().flatten().collect()
+    let mut all = Later::default();
+    for Later { resonances, unlocated } in found {
+        all.resonances.extend(resonances);
+        all.unlocated.extend(unlocated);
+    }
+    all
 }
 
 fn on_base(
@@ -70,9 +84,9 @@ fn on_base(
     curve: &DiagramCurve,
     scope: &Scope,
     progress: &dyn Progress,
-) -> Vec<LaterResonance> {
+) -> Later {
     let grazing = GrazingCurve::of_impacting(&diagram.equations(curve.loops), &curve.curve, scope);
-    let (found, _) = on_curve(&grazing, scope, progress);
+    let (found, unlocated) = on_curve(&grazing, scope, progress);
     let route = drawn(scope.window);
     let unfold = |resonance: Resonance| {
         let unfolded = resonance.theorem.as_ref().ok().map(|point| point.unfold(&route));
@@ -83,5 +97,5 @@ fn on_base(
         };
         LaterResonance { base, resonance, curves, missing }
     };
-    distinct(found, scope.window).into_iter().map(unfold).collect()
+    Later { resonances: distinct(found, scope.window).into_iter().map(unfold).collect(), unlocated }
 }

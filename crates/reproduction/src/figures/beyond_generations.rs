@@ -9,10 +9,10 @@ use grazing_continuation::fit::{Estimate, measure};
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_results::plane::{CurveSource, PlanePoint};
-use grazing_results::{Frame, Stability, rows, tables};
+use grazing_results::{Frame, Stability, brief, rows, tables};
 use grazing_source::kind::{count, counts};
 use grazing_unfold::Scope;
-use grazing_unfold::generations::{LaterResonance, later};
+use grazing_unfold::generations::{Later, LaterResonance, later};
 use rayon::prelude::*;
 
 use super::fig07::Figure7;
@@ -129,7 +129,7 @@ impl PaperFigure for BeyondGenerations {
         let diagram = study.diagram()?;
         let window = study.parameters.section::<Figure7>()?.window();
         let scope = Scope { loops: self.rounds.clone(), ..diagram.scope.clone() };
-        let found = later(diagram, &scope, &*study.progress);
+        let Later { resonances: found, unlocated } = later(diagram, &scope, &*study.progress);
         let resonances: Vec<LaterRow> = found
             .par_iter()
             .enumerate()
@@ -145,6 +145,14 @@ impl PaperFigure for BeyondGenerations {
             };
             found.missing.iter().map(sentence)
         });
+        let unlocated = unlocated.iter().map(|lost| {
+            let [amplitude, omega] = lost.near;
+            let near = format!("amplitude {}, frequency {}", brief(amplitude, 6), brief(omega, 6));
+            format!(
+                "a resonance of motion with impacts, q = {}, near {near} was not located: {}",
+                lost.loops, lost.reason
+            )
+        });
         let chosen = self.chosen(&found);
         let frames: Vec<Frame> = chosen.iter().filter_map(|index| frame(&found[*index])).collect();
         let magnified = (1..)
@@ -158,7 +166,7 @@ impl PaperFigure for BeyondGenerations {
             known: plane::curves(&Axes::of_the_paper(), diagram),
             frame: window.into(),
             panels: frames,
-            missing: missing.collect(),
+            missing: missing.chain(unlocated).collect(),
         })
     }
 

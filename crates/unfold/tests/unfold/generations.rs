@@ -23,7 +23,7 @@ fn found(oscillator: &AnyOscillator, scope: &Scope) -> (Diagram, Vec<LaterResona
     let diagram = located.with_curves(followed);
     let rounds = Scope { loops: vec![1, 2, 3, 4], ..scope.clone() };
     let later = later(&diagram, &rounds, &Silent);
-    (diagram, later)
+    (diagram, later.resonances)
 }
 
 /// Checks that the coefficients of the theorem are those of the curves of the hybrid system.

@@ -171,7 +171,7 @@ pub(crate) fn theorems_elsewhere() -> CheckResult {
     let diagram = figure_7()?;
     let scope = Scope { loops: vec![1, 2, 3, 4], ..diagram.scope.clone() };
     let (mut largest, mut compared) = (Deviations::default(), 0);
-    for found in later(diagram, &scope, &Silent) {
+    for found in later(diagram, &scope, &Silent).resonances {
         let Ok(point) = &found.resonance.theorem else { continue };
         let conditions = [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING];
         for (condition, leading) in conditions.into_iter().zip(point.leading().into_array()) {
