@@ -13,6 +13,7 @@ use grazing_results::{Frame, Stability, brief, rows, tables};
 use grazing_source::kind::{count, counts};
 use grazing_unfold::Scope;
 use grazing_unfold::generations::{Later, LaterResonance, later};
+use grazing_unfold::resonances::Unlocated;
 use rayon::prelude::*;
 
 use super::fig07::Figure7;
@@ -109,6 +110,8 @@ tables! {
         panels: Vec<Frame>,
         /// Sentences about curves that are missing.
         missing: Vec<String>,
+        /// Resonances that were detected but could not be located.
+        unlocated: Vec<Unlocated>,
     }
 }
 
@@ -145,14 +148,6 @@ impl PaperFigure for BeyondGenerations {
             };
             found.missing.iter().map(sentence)
         });
-        let unlocated = unlocated.iter().map(|lost| {
-            let [amplitude, omega] = lost.near;
-            let near = format!("amplitude {}, frequency {}", brief(amplitude, 6), brief(omega, 6));
-            format!(
-                "a resonance of motion with impacts, q = {}, near {near} was not located: {}",
-                lost.loops, lost.reason
-            )
-        });
         let chosen = self.chosen(&found);
         let frames: Vec<Frame> = chosen.iter().filter_map(|index| frame(&found[*index])).collect();
         let magnified = (1..)
@@ -166,7 +161,8 @@ impl PaperFigure for BeyondGenerations {
             known: plane::curves(&Axes::of_the_paper(), diagram),
             frame: window.into(),
             panels: frames,
-            missing: missing.chain(unlocated).collect(),
+            missing: missing.collect(),
+            unlocated,
         })
     }
 
@@ -175,7 +171,16 @@ impl PaperFigure for BeyondGenerations {
     }
 
     fn remarks(&self, _: &Study, shown: &Generations) -> Result<Remarks, StudyError> {
-        Ok(Remarks { notes: shown.missing.clone(), gaps: Vec::new() })
+        let unlocated = shown.unlocated.first().map(|lost| {
+            let [amplitude, omega] = lost.near.map(|value| brief(value, 6));
+            format!(
+                "resonances of motion with impacts that were detected and not located: {}, the first with q = {} near amplitude {amplitude}, frequency {omega}: {}",
+                shown.unlocated.len(),
+                lost.loops,
+                lost.reason
+            )
+        });
+        Ok(Remarks { notes: shown.missing.iter().cloned().chain(unlocated).collect(), gaps: Vec::new() })
     }
 
     fn constants(study: &Study) -> Result<Vec<(&'static str, f64)>, ParameterError> {

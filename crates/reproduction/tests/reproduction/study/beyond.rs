@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 use std::collections::BTreeSet;
 
+use grazing_continuation::bifurcation::CodimensionTwo;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
 use grazing_reproduction::figures::beyond_attractors::{BeyondAttractors, Map, STARTS, Stretch};
@@ -10,6 +11,7 @@ use grazing_reproduction::figures::beyond_generations::BeyondGenerations;
 use grazing_reproduction::figures::beyond_loops::BeyondLoops;
 use grazing_reproduction::figures::beyond_proofs::BeyondProofs;
 use grazing_reproduction::figures::beyond_regions::BeyondRegions;
+use grazing_reproduction::figures::fig07::Figure7;
 use grazing_theorems::auxiliary::scaled_visit_position;
 use grazing_trials::closed_form;
 use grazing_trials::random::Random;
@@ -338,4 +340,12 @@ fn resonances_of_motion_with_impacts_have_the_coefficients_that_are_measured() {
     assert!(fail.iter().all(|row| row.rounds >= 2 && row.off_diagonal < 0.0));
     assert_eq!(shown.panels.len(), 3);
     assert!(shown.missing.is_empty(), "{:?}", shown.missing);
+    // Where the impact elsewhere loses its velocity, at the end of a GZ curve on a resonance, P_global is not smooth.
+    let figure = made().study.shown::<Figure7>().expect("it can be computed");
+    let resonances = figure.points.iter().filter(|point| point.kind == CodimensionTwo::Resonance);
+    let ends: Vec<[f64; 2]> = resonances.map(|point| [point.primary, point.secondary]).collect();
+    for lost in &shown.unlocated {
+        let at_end = |end: &[f64; 2]| (0..2).all(|k| (end[k] - lost.near[k]).abs() < 1e-3);
+        assert!(ends.iter().any(at_end), "{lost:?}");
+    }
 }
