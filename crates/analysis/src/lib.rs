@@ -10,4 +10,5 @@ pub mod nothing;
 pub mod one_parameter;
 pub mod place;
 pub mod plane;
+pub mod sequences;
 pub mod unfolded;

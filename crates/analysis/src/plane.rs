@@ -61,6 +61,7 @@ pub fn plane_diagram(
         sections,
         own: own_curves(axes, diagram),
         measured: Vec::new(),
+        several: Vec::new(),
     }
 }
 

@@ -15,7 +15,7 @@ use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::family::Family;
 use grazing_results::measured::{Comparison, Identified};
 use grazing_results::plane::{
-    Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section, StraightenedCurves,
+    Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section, SequenceDiagram, StraightenedCurves,
 };
 use grazing_results::{Names, Tables, UnitNames, brief, tables};
 use grazing_theorems::ResonantPoint;
@@ -24,6 +24,7 @@ use grazing_unfold::levels::Level;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
+use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequences, sequences as found_sequences};
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::straightened::{StraightCurve, straighten};
 use grazing_unfold::unfinished::Unfinished;
@@ -36,6 +37,7 @@ pub use crate::described::{Prepared, levels, prepared};
 use crate::limits::measured_doubled_grazing;
 use crate::one_parameter;
 use crate::plane::{self, Axes, own_header};
+use crate::sequences;
 pub use finished::Keep;
 pub(crate) use tables::slopes;
 pub use tables::{CheckedHypothesis, CoefficientRow, GrazingLoopRow, GrazingRow};
@@ -54,6 +56,8 @@ pub struct Unfolded {
     /// The one-parameter diagrams that were requested, as far as they were finished, in the oscillator's
     /// own units.
     pub diagrams: Vec<OneParameter>,
+    /// Solutions with several impacts, if the file asks for more than one generation; dimensionless.
+    pub sequences: Sequences,
     /// Quantities along the grazing curves that depend on p, one p after the other, in the oscillator's
     /// own units.
     along: Vec<GrazingLoopRow>,
@@ -154,6 +158,7 @@ pub fn axes(description: &Description) -> Axes {
         AlongGrazing::TABLES,
         PlaneDiagram::TABLES,
         OwnCurves::TABLES,
+        SequenceDiagram::TABLES,
         AtResonances::TABLES,
         Magnifications::TABLES,
         StraightenedCurves::TABLES,
@@ -202,7 +207,13 @@ impl Unfolded {
         let units = axes.units;
         let unfolded = Self::compute(&oscillator, (&scope, asked), axes, progress, keep);
         let mut unfolded = unfolded.map_err(|error| error.in_units(&units));
-        if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
+        if let Ok(Self { diagram, diagrams, sequences, .. }) = &mut unfolded {
+            let most = scope.loops.iter().copied().max().unwrap_or_default();
+            let rounds: Vec<u32> = (1..=most).collect();
+            *sequences = found_sequences(diagram, &rounds, description.generations(), progress);
+            if progress.stopped() && description.generations() > 1 {
+                diagram.unfinished.push(Unfinished::stage(SEQUENCES));
+            }
             let (found, unfinished) = one_parameter::diagrams(description, &diagram.curves, stop, progress);
             *diagrams = found;
             diagram.unfinished.extend(unfinished);
@@ -260,7 +271,8 @@ impl Unfolded {
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(ALONG));
         }
-        Ok(Self { axes, diagram, resonances, diagrams: Vec::new(), along })
+        let (diagrams, sequences) = Default::default();
+        Ok(Self { axes, diagram, resonances, diagrams, sequences, along })
     }
 
     /// The resonances at which a theorem holds, with the results for their curves.
@@ -282,7 +294,15 @@ impl Unfolded {
             name: format!("diagram {}", diagram.diagram),
             thin: true,
         });
-        plane::plane_diagram(&self.axes, &self.diagram, panels.collect(), sections.collect())
+        PlaneDiagram {
+            several: self.sequences().regions,
+            ..plane::plane_diagram(&self.axes, &self.diagram, panels.collect(), sections.collect())
+        }
+    }
+
+    /// The rows of solutions with several impacts.
+    pub fn sequences(&self) -> SequenceDiagram {
+        sequences::rows(&self.sequences, &self.axes.units)
     }
 
     /// The magnifications for the panels of the diagram.

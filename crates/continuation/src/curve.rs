@@ -131,6 +131,9 @@ pub enum CurveEnd {
     Grazing,
     /// The curve returned to its first point, which is also its last.
     Closed,
+    /// The last point is a solution that recurs after half the time: from there the curve comes back, its
+    /// impacts numbered differently.
+    Halved,
     /// An event, which is the last point of the curve.
     Event(Box<Event>),
     /// An event was seen between the last two points, and could not be located.
@@ -202,6 +205,7 @@ impl Curve {
             CurveEnd::LeftWindow
             | CurveEnd::Grazing
             | CurveEnd::Closed
+            | CurveEnd::Halved
             | CurveEnd::Event(_)
             | CurveEnd::Abandoned => None,
             CurveEnd::EventNotLocated { condition, failure } => {

@@ -2,6 +2,7 @@
 
 mod events;
 
+use core::array;
 use core::ops::ControlFlow;
 
 use grazing_model::ImpactOscillator;
@@ -390,6 +391,11 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         match Continuation::new(self.followed, self.route.control, point.clone(), tangent, times.clone()) {
             Ok(end) if *condition != Condition::InteriorGrazing => {
                 solution = equations.limiting_solution(&point, &end.here().tangent);
+                if solution.multipliers.trace.is_infinite()
+                    && let ControlFlow::Break(lost) = self.locate_last_events(before, end.here(), &solution)
+                {
+                    return lost;
+                }
             }
             // An end of interior grazing is a branch point, without a unique tangent along which to
             // take limits.
@@ -397,6 +403,25 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         }
         self.curve.points.push(CurvePoint { solution, times });
         CurveEnd::Grazing
+    }
+
+    /// Appends the SN and PD on the last step of a branch, which ends where the trace is infinite.
+    fn locate_last_events(
+        &mut self,
+        before: &CurveStation,
+        after: &CurveStation,
+        end: &PeriodicSolution,
+    ) -> ControlFlow<CurveEnd> {
+        let Some(past) = self.signs else { return ControlFlow::Continue(()) };
+        let (_, stability) = self.followed.equations.solution_and_stability(&after.point);
+        let there = signs(self.followed.condition, &stability, end);
+        let of_multiplier = |event: usize| matches!(EVENTS[event], Condition::Multiplier(_));
+        let now = array::from_fn(|event| if of_multiplier(event) { there[event] } else { past[event] });
+        if !self.matters(past, now, end) {
+            return ControlFlow::Continue(());
+        }
+        let step = Step { followed: self.followed, control: self.route.control, before, after };
+        self.locate_events(&step, past, now, end)
     }
 
     /// Adds the point at which the curve crosses the edge of the window, or the point beyond if it

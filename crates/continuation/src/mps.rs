@@ -150,11 +150,36 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         units
     }
 
-    /// The displacement from one point to another, with phases modulo 2π.
+    /// The displacement from one point to another, with phases modulo 2π; of the ways to number the
+    /// impacts of the first point, that which makes it shortest counts.
     pub fn gap(&self, from: &Unknowns, to: &Unknowns) -> Unknowns {
-        let gap = to - from;
-        let gap = if self.has_impacts() { gap.less_turns() } else { gap };
-        gap.component_div(&self.units(from))
+        let apart = |from: &Unknowns| {
+            let gap = to - from;
+            let gap = if self.has_impacts() { gap.less_turns() } else { gap };
+            gap.component_div(&self.units(from))
+        };
+        let others = (1..from.impacts()).map(|first| apart(&from.beginning_with(first, self.loops)));
+        let shorter = |short: Unknowns, next: Unknowns| if next.norm() < short.norm() { next } else { short };
+        others.fold(apart(from), shorter)
+    }
+
+    /// The displacement from a solution to itself a part of its time later, for a number of equal parts into
+    /// which both its impacts and its forcing periods can be divided.
+    pub fn after_a_part(&self, point: &Unknowns, parts: usize) -> Option<Unknowns> {
+        let divides = point.impacts().is_multiple_of(parts) && self.loops.is_multiple_of(parts as u32);
+        let later = || point.beginning_with(point.impacts() / parts, self.loops);
+        divides.then(|| (later() - point).less_turns())
+    }
+
+    /// Whether a solution with several impacts recurs after a part of its time, and so has fewer of them.
+    pub fn recurs_sooner(&self, point: &Unknowns) -> bool {
+        let parts = (2..=point.impacts()).filter_map(|parts| self.after_a_part(point, parts));
+        parts.into_iter().any(|apart| apart.norm() < RECURS)
+    }
+
+    /// The equations of solutions that take half as long, if that is a whole number of forcing periods.
+    pub fn of_half_the_time(&self) -> Option<Self> {
+        (self.loops > 0 && self.loops.is_multiple_of(2)).then(|| Self { loops: self.loops / 2, ..self.clone() })
     }
 
     /// The formulation in use.
@@ -301,7 +326,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The direction in which the impacts after the first follow it, when the first and the parameters move in
     /// a direction (y, z, μ, η); they have a velocity.
-    pub(crate) fn with_others(&self, at: &Unknowns, direction: Unknowns) -> Unknowns {
+    pub fn with_others(&self, at: &Unknowns, direction: Unknowns) -> Unknowns {
         if at.impacts() == 1 {
             return direction;
         }

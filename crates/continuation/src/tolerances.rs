@@ -56,6 +56,10 @@ pub const TOUCH: f64 = 1e-11;
 /// bifurcations are located to better than that.
 pub(crate) const STABILITY: f64 = 1e-9;
 
+/// Distance, in the unknowns, from a resonance above which a trace without impact velocity has no limit: ends of
+/// curves are located to 10⁻⁹ or better.
+pub(crate) const WITHOUT_LIMIT: f64 = 1e-6;
+
 /// Distance below which motion recurs after half a period, mirrored or not: points of curves are
 /// off by less, but by more than rounding where two branches cross.
 pub const RECURS: f64 = 1e-5;

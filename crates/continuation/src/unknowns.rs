@@ -100,6 +100,35 @@ impl Unknowns {
         OnWall::new(self[unknown::velocity(index)], self[unknown::phase(index)])
     }
 
+    /// The unknowns of the same solution, which recurs after so many forcing periods, with the impact with an
+    /// index as its first.
+    #[must_use]
+    pub fn beginning_with(&self, first: usize, periods: u32) -> Self {
+        let mut impacts: SmallVec<[OnWall; 4]> = (0..self.impacts()).map(|index| self.impact(index)).collect();
+        impacts[..first].iter_mut().for_each(|impact| impact.phase += f64::from(periods) * TAU);
+        impacts.rotate_left(first);
+        Self::of_impacts(&impacts, parameters(self))
+    }
+
+    /// The unknowns with these impacts and, so many forcing periods later, those of another solution.
+    #[must_use]
+    pub fn followed_by(&self, next: &Self, periods: u32) -> Self {
+        let later = |mut impact: OnWall| {
+            impact.phase += f64::from(periods) * TAU;
+            impact
+        };
+        let own = (0..self.impacts()).map(|index| self.impact(index));
+        let others = (0..next.impacts()).map(|index| later(next.impact(index)));
+        Self::of_impacts(&own.chain(others).collect::<SmallVec<[OnWall; 4]>>(), parameters(self))
+    }
+
+    /// The unknowns with the first impacts alone, so many of them.
+    #[must_use]
+    pub fn first_impacts(&self, count: usize) -> Self {
+        let impacts: SmallVec<[OnWall; 4]> = (0..count).map(|index| self.impact(index)).collect();
+        Self::of_impacts(&impacts, parameters(self))
+    }
+
     /// All components.
     pub fn iter(&self) -> impl Iterator<Item = &f64> {
         self.0.iter()

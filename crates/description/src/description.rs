@@ -240,6 +240,11 @@ impl Description {
         &self.0.file.analysis.loops
     }
 
+    /// The generation up to which solutions with impacts are sought; 1 for those with one impact alone.
+    pub fn generations(&self) -> u32 {
+        self.0.file.analysis.generations
+    }
+
     /// The style of the two-parameter diagram and its magnifications.
     pub fn figure(&self) -> &FigureStyle {
         &self.0.file.figure

@@ -6,13 +6,15 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::Colour;
 use grazing_results::readings::Ordinate;
 use grazing_source::kind::{
-    Kind, any_names, choice, counts, maybe, number, numbers, or, table, tables, usual, value,
+    Kind, any_names, choice, count, counts, maybe, number, numbers, or, table, tables, usual, value,
 };
 use grazing_source::{Keys, Requirements, Section, SourceError, keys};
 
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves
 /// cannot be distinguished.
 pub(crate) const MOST_LOOPS: u32 = 12;
+/// The greatest number of generations.
+const MOST_GENERATIONS: u32 = 3;
 
 /// The largest number of one-parameter diagrams.
 pub(crate) const MOST_DIAGRAMS: usize = 8;
@@ -60,7 +62,7 @@ keys! {
         impact: Impact = table(), "the table [impact] holds restitution and duration, and may hold mass";
         /// What is computed.
         analysis: Analysis = table(),
-            "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit";
+            "the table [analysis] holds loops and may hold generations, start, time_limit, memory_limit and step_limit";
         /// How the two-parameter diagram and its magnifications are drawn.
         figure: FigureStyle = or(table(), usual()),
             "the table [figure] may hold swap, shading, names, width, height and colours, and may be left out";
@@ -142,6 +144,9 @@ keys! {
         /// The numbers of loops p.
         loops: Vec<u32> = counts(1..=MOST_LOOPS),
             "the numbers of loops must be a list of different whole numbers from {} to {}, such as [1, 2, 3]";
+        /// Up to which generation solutions with impacts are sought.
+        generations: u32 = or(count(1..=MOST_GENERATIONS), 1),
+            "the number of generations must be a whole number from {} to {}: with 2 or 3, solutions with several impacts and their regions are sought as well; if it is left out, it is 1";
         /// Where the search for the non-impacting motion starts.
         start: Option<[f64; 2]> = maybe(numbers()),
             "the start of the search for the non-impacting motion must be position and velocity at time zero, two finite numbers, such as [-1.0, 0.0]; it may be left out";

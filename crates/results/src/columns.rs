@@ -97,7 +97,7 @@ columns! {
     BIFURCATION = "kind", "", "1";
     /// `resonance`; `SN-GZ`, `PD-GZ`, `GZ-GZ`, `NS-GZ`, `SN-NS` or `PD-NS`, named after the curves that meet; or `cusp`, where an SN curve turns back
     CODIMENSION_TWO = "kind", "", "1";
-    /// `non-impacting`: the non-impacting solution is stable and admissible; `mps`: a p-loop MPS is; `both`: both are; `undecided`: this could not be decided
+    /// `non-impacting`: the non-impacting solution is stable and admissible; `mps`: a p-loop MPS is; `both`: both are; `several-impacts`: a solution with several impacts is; `undecided`: this could not be decided
     REGION_KIND = "kind", "", "1";
     /// velocity y of the solution's only impact
     IMPACT_VELOCITY = "impact_velocity", r"y_{\mathrm{imp}}", "length/time";

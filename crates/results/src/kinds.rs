@@ -143,6 +143,7 @@ pub const fn region_inks(kind: RegionKind) -> [(Colour, f64); 2] {
     match kind {
         RegionKind::NonImpacting => [([233, 233, 233], 1.0), ([43, 47, 54], 1.0)],
         RegionKind::Mps | RegionKind::Both => [([40, 40, 40], 0.3), ([225, 225, 225], 0.2)],
+        RegionKind::SeveralImpacts => [([150, 160, 40], 0.4), ([190, 200, 90], 0.3)],
         RegionKind::Undecided => [([110, 110, 110], 1.0), ([140, 140, 140], 1.0)],
     }
 }
@@ -197,6 +198,7 @@ pub const fn region_meaning(kind: RegionKind) -> &'static str {
         RegionKind::NonImpacting => "the non-impacting solution is stable",
         RegionKind::Mps => "a maximal periodic solution is stable",
         RegionKind::Both => "both are stable",
+        RegionKind::SeveralImpacts => "a periodic solution with several impacts is stable",
         RegionKind::Undecided => "stability is undecided",
     }
 }
@@ -214,10 +216,10 @@ pub const fn portrait_meaning(kind: PortraitKind) -> &'static str {
 pub fn meanings() -> Vec<(&'static str, &'static str)> {
     let points = CodimensionTwo::ALL;
     let portraits = [PortraitKind::Periodic, PortraitKind::Attractor];
-    let regions = [RegionKind::NonImpacting, RegionKind::Mps, RegionKind::Both, RegionKind::Undecided];
+    let regions = RegionKind::ALL;
     let mut all = Vec::from(Bifurcation::ALL.map(|kind| (kind.name(), CurveLook::of(kind).meaning)));
     all.extend(points.map(|kind| (kind.name(), point_meaning(kind))));
     all.extend(portraits.map(|kind| (kind.name(), portrait_meaning(kind))));
-    all.extend(regions.map(|kind| (kind.name(), region_meaning(kind))));
+    all.extend(regions.iter().map(|&kind| (kind.name(), region_meaning(kind))));
     all
 }

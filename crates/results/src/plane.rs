@@ -18,6 +18,8 @@ words! {
         /// The non-impacting solution and an MPS are both stable and admissible; only sketches have such
         /// a region.
         Both = "both",
+        /// A periodic solution with several impacts is stable and admissible.
+        SeveralImpacts = "several-impacts",
         /// The stability could not be decided.
         Undecided = "undecided",
     }
@@ -101,6 +103,52 @@ rows! {
     }
 }
 
+rows! {
+    /// A resonance on a curve along which solutions with impacts graze.
+    SequenceResonance {
+        number: u32 = LATER_NUMBER,
+        base_impacts: u32 = LATER_BASE_IMPACTS,
+        base_periods: u32 = LATER_BASE_PERIODS,
+        rounds: u32 = LATER_ROUNDS,
+        impacts: u32 = LATER_IMPACTS,
+        periods: u32 = LATER_PERIODS,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        saddle_node: f64 = C_SN,
+        period_doubling: f64 = C_PD,
+        fails: String = LATER_FAILS,
+    }
+
+    /// A point of a curve of solutions with several impacts.
+    SequencePoint {
+        impacts: u32 = LATER_IMPACTS,
+        periods: u32 = LATER_PERIODS,
+        kind: Bifurcation = BIFURCATION,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        impact_velocity: f64 = LATER_VELOCITY,
+        trace: f64 = TRACE,
+        determinant: f64 = DETERMINANT,
+        max_interior_x: f64 = MAX_INTERIOR_X,
+        stable: Stability = STABLE,
+        admissible: bool = ADMISSIBLE,
+        arc: u32 = ARC,
+        lost: String = LOST,
+    }
+
+    /// A vertex of a region of solutions with several impacts.
+    SequenceVertex {
+        region: u32 = REGION,
+        kind: RegionKind = REGION_KIND,
+        impacts: u32 = LATER_IMPACTS,
+        periods: u32 = LATER_PERIODS,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        ring: u32 = RING,
+        reason: String = REASON,
+    }
+}
+
 impl PlanePoint {
     /// Whether a region may end at a point of a curve. It may not on a grazing curve of an unstable
     /// solution. At an end of a GZ curve, a codimension-two point, stability is marginal and its flag
@@ -123,6 +171,7 @@ impl PlaneDiagram {
         self.points.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.own.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.several.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         for row in &mut self.measured {
             swap(&mut row.primary, &mut row.secondary);
             swap(&mut row.primary_error, &mut row.secondary_error);
@@ -208,6 +257,15 @@ tables! {
         own: Vec<OwnPoint>,
         /// The measurements within the diagram.
         measured: Vec<MeasuredPoint>,
+        /// Regions of solutions with several impacts.
+        several: Vec<SequenceVertex>,
+    }
+
+    /// Solutions with several impacts.
+    SequenceDiagram {
+        resonances: SequenceResonance = "sequence_resonances", "a resonance on a curve along which solutions with impacts graze",
+        curves: SequencePoint = "sequence_curves", "a point of a curve of solutions with several impacts",
+        regions: SequenceVertex = "sequence_regions", "a vertex of a region of stability of solutions with several impacts",
     }
 
     /// The curves that a file requests.

@@ -9,6 +9,7 @@ use grazing_continuation::locate::same_point;
 use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
 
 use crate::beyond;
+use crate::copies::without_copies;
 
 /// A curve with this many points is lost.
 const STEP_LIMIT: usize = 20_000;
@@ -157,7 +158,8 @@ impl Net {
     }
 
     /// Adds a curve, unless it is one of the known curves followed from its other end.
-    pub(crate) fn add(&mut self, mut new: DiagramCurve) {
+    pub(crate) fn add(&mut self, new: DiagramCurve) {
+        let mut new = DiagramCurve { curve: without_copies(&self.equations, new.curve), ..new };
         for known in &mut self.curves {
             new.end_with(known);
             known.end_with(&new);

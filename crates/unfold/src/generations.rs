@@ -18,11 +18,49 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::resonances::{Resonance, Unlocated, distinct, on_curve};
 
+/// A curve along which solutions with impacts graze.
+#[derive(Clone, Debug)]
+pub struct Base {
+    /// The number of impacts of the solutions.
+    pub impacts: usize,
+    /// The index of the curve among those of these solutions.
+    pub index: usize,
+    /// The curve; its number of loops is that of the forcing periods after which the solutions recur.
+    pub curve: DiagramCurve,
+}
+
+/// The solutions that graze along a curve, and which of their curves it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BaseName {
+    /// The number of impacts of the solutions.
+    pub impacts: usize,
+    /// The number of forcing periods after which they recur.
+    pub periods: u32,
+    /// The integer n of the curve; 0 without one.
+    pub n: u32,
+    /// The index of the curve among those of these solutions.
+    pub index: usize,
+}
+
+impl Base {
+    /// The name of the base.
+    pub fn name(&self) -> BaseName {
+        let Self { impacts, index, ref curve } = *self;
+        BaseName { impacts, periods: curve.loops, n: curve.n, index }
+    }
+}
+
+/// The curves of a diagram along which its MPSs graze.
+pub fn bases(diagram: &Diagram) -> Vec<Base> {
+    let curves = diagram.curves.iter().enumerate().filter(|(_, curve)| curve.kind == Bifurcation::Grazing);
+    curves.map(|(index, curve)| Base { impacts: 1, index, curve: curve.clone() }).collect()
+}
+
 /// A resonance of motion with impacts, and the curves that leave it.
 #[derive(Clone, Debug)]
 pub struct LaterResonance {
-    /// The index of the curve of grazing bifurcations among the diagram's curves.
-    pub base: usize,
+    /// The motion that grazes there.
+    pub base: BaseName,
     /// The resonance; its number of loops is that of rounds of the grazing motion.
     pub resonance: Resonance,
     /// The SN, PD and GZ curves that were followed from it, where a theorem holds.
@@ -55,16 +93,14 @@ pub struct Later {
 /// The stage in which these resonances are looked for.
 const STAGE: &str = "resonances of motion with impacts";
 
-/// The resonances of the scope's numbers of loops on all curves of a diagram at which solutions with impacts
-/// graze, by curve and by q, with the curves that leave them.
-pub fn later(diagram: &Diagram, scope: &Scope, progress: &dyn Progress) -> Later {
-    let bases: Vec<(usize, &DiagramCurve)> =
-        diagram.curves.iter().enumerate().filter(|(_, curve)| curve.kind == Bifurcation::Grazing).collect();
+/// The resonances of the scope's numbers of loops on curves at which solutions with impacts graze, by curve
+/// and by q, with the curves that leave them.
+pub fn later(diagram: &Diagram, bases: &[Base], scope: &Scope, progress: &dyn Progress) -> Later {
     progress.begin(STAGE, bases.len() as u64);
     let found: Vec<Later> = bases
-        .into_par_iter()
-        .map(|(base, curve)| {
-            let found = Purpose::Curves.during(|| on_base(diagram, base, curve, scope, progress));
+        .par_iter()
+        .map(|base| {
+            let found = Purpose::Curves.during(|| on_base(diagram, base, scope, progress));
             progress.step(STAGE);
             found
         })
@@ -78,14 +114,9 @@ pub fn later(diagram: &Diagram, scope: &Scope, progress: &dyn Progress) -> Later
     all
 }
 
-fn on_base(
-    diagram: &Diagram,
-    base: usize,
-    curve: &DiagramCurve,
-    scope: &Scope,
-    progress: &dyn Progress,
-) -> Later {
-    let grazing = GrazingCurve::of_impacting(&diagram.equations(curve.loops), &curve.curve, scope);
+fn on_base(diagram: &Diagram, base: &Base, scope: &Scope, progress: &dyn Progress) -> Later {
+    let equations = diagram.equations(base.curve.loops);
+    let grazing = GrazingCurve::of_impacting(&equations, &base.curve.curve, scope);
     let (found, unlocated) = on_curve(&grazing, scope, progress);
     let route = drawn(scope.window);
     let unfold = |resonance: Resonance| {
@@ -95,7 +126,7 @@ fn on_base(
             Some(Err(reason)) => (Vec::new(), vec![reason]),
             None => (Vec::new(), Vec::new()),
         };
-        LaterResonance { base, resonance, curves, missing }
+        LaterResonance { base: base.name(), resonance, curves, missing }
     };
     Later { resonances: distinct(found, scope.window).into_iter().map(unfold).collect(), unlocated }
 }

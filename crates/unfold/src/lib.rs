@@ -69,7 +69,8 @@
 
 mod alongside;
 mod beyond;
-mod curves;
+mod copies;
+pub mod curves;
 pub mod diagram;
 mod dips;
 mod edges;
@@ -93,6 +94,7 @@ pub mod regions;
 pub mod resonances;
 mod scope;
 mod search;
+pub mod sequences;
 pub mod sides;
 mod sight;
 pub mod simulation;

@@ -95,7 +95,7 @@ fn ends(equations: &LoopEquations, curve: &DiagramCurve, route: Option<&Route<'_
 
 /// The n of the resonance of the equations' own p at a point with y = 0; 0 if it is none.
 fn at_resonance(equations: &LoopEquations, at: &Unknowns) -> u32 {
-    if at[unknown::VELOCITY] != 0.0 {
+    if at.impacts() > 1 || at[unknown::VELOCITY] != 0.0 {
         return 0;
     }
     let loops = equations.loops();

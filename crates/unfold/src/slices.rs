@@ -22,6 +22,7 @@ use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
 use grazing_model::{ImpactOscillator, State};
 
+use crate::copies::without_copies;
 use crate::dips;
 use crate::grazing::HighestPoint;
 use crate::pace::{Pace, is_lost};
@@ -147,11 +148,11 @@ impl Slicer {
             .ok()
     }
 
-    /// Whether a point in or near the window is a solution with an impact, or one without impacts
-    /// that does not recur after half its period.
+    /// Whether a point in or near the window is a solution whose impacts have a velocity, or one without
+    /// impacts, that does not recur after a part of its period.
     pub(crate) fn is_real(&self, point: &Unknowns) -> bool {
         if self.equations.has_impacts() {
-            return point[unknown::VELOCITY] > 0.0;
+            return point.lowest_velocity().1 > 0.0 && !self.equations.recurs_sooner(point);
         }
         self.halved.as_ref().is_none_or(|halved| {
             let half_way = halved.maps::<1>(point, &mut EventTimes::default());
@@ -285,7 +286,8 @@ impl Slicer {
     }
 
     /// A branch with the pairs of bifurcations that it has stepped over.
-    fn whole(&self, mut branch: Curve) -> Curve {
+    fn whole(&self, branch: Curve) -> Curve {
+        let mut branch = without_copies(&self.equations, branch);
         for (condition, through, times) in dips::stepped_over(&self.equations, &branch) {
             self.insert(&mut branch, condition, &through, times);
         }

@@ -1,7 +1,7 @@
 //! Stretches of branches on which solutions are stable and admissible, the borders between them,
 //! and the points where a branch breaks off.
 
-use grazing_continuation::curve::{Curve, Event};
+use grazing_continuation::curve::{Curve, CurveEnd, Event};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution};
 use grazing_results::span;
@@ -53,11 +53,17 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
 /// one of both sides.
 pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec<Stretch>, Vec<Border<'a>>) {
     let vertices = vertices(branch);
+    // A multiplier is 1 there.
+    let first = vertices.first().filter(|_| matches!(branch.beginning, Some(CurveEnd::Halved)));
+    let first = first.map(|vertex| vertex.solution);
+    let is_border = |vertex: &Vertex<'_>| {
+        vertex.event.is_some() || first.is_some_and(|first| core::ptr::eq(first, vertex.solution))
+    };
     let status = |pair: &[Vertex<'_>]| {
         let [a, b] = [&pair[0], &pair[1]];
-        match [a.event, b.event] {
-            [None, _] => a.solution.attracts(),
-            [_, None] => b.solution.attracts(),
+        match [is_border(a), is_border(b)] {
+            [false, _] => a.solution.attracts(),
+            [_, false] => b.solution.attracts(),
             // Between two successive events the solution in the middle decides.
             _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| solution.attracts()),
         }

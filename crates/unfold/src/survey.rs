@@ -11,7 +11,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint, Event, Pace, Route};
 use grazing_continuation::locate::{Condition, locate_within};
-use grazing_continuation::mps::{EventTimes, Unknowns, parameters, unknown};
+use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Purpose;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -107,6 +107,22 @@ impl<'a> Survey<'a> {
         survey.periods = periods;
         survey.slicer.halved = Some(halved.equations.clone());
         survey.halved = &halved.curves;
+        survey
+    }
+
+    /// A survey of solutions with several impacts, some of which are known, and which may branch off these of
+    /// half their time.
+    pub(crate) fn of_several(
+        net: &'a mut Net,
+        scope: &'a Scope,
+        found: Vec<Unknowns>,
+        halved: Option<(LoopEquations, &'a [DiagramCurve])>,
+    ) -> Self {
+        let mut survey = Self::new(net, scope, &[], found);
+        if let Some((equations, curves)) = halved {
+            survey.slicer.halved = Some(equations);
+            survey.halved = curves;
+        }
         survey
     }
 

@@ -13,7 +13,7 @@ use grazing_results::Title;
 use grazing_results::branches::{OneParameter, Orbits, Readings};
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
-use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram, StraightenedCurves};
+use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram, SequenceDiagram, StraightenedCurves};
 use grazing_results::readings::{Ordinate, Sweep};
 use grazing_results::{Names, Stability, Tables, brief, columns};
 
@@ -63,6 +63,7 @@ impl AnalysedOscillator {
             self.unfolded.diagrams.is_empty().then_some(DIAGRAMS),
             self.unfolded.diagrams.iter().all(|diagram| diagram.readings.is_empty()).then_some(READINGS),
             self.unfolded.diagram.asked.is_empty().then_some(OWN),
+            self.unfolded.sequences.solutions.is_empty().then_some(SEVERAL),
             self.compared.is_none().then_some(MEASURED),
             self.places.is_empty().then_some(PLACES.name),
         ];
@@ -88,6 +89,7 @@ const MAGNIFICATIONS: &str = "magnifications.svg";
 
 /// The names of outputs that not every file has.
 const OWN: &str = "own-curves";
+const SEVERAL: &str = "several-impacts";
 const DIAGRAMS: &str = "diagrams";
 const STRAIGHTENED: &str = "straightened";
 const READINGS: &str = "readings";
@@ -101,6 +103,9 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
     Output::new(OWN, Title::plain("own curves"), OwnCurves::TABLES, |_, of, _| {
         let own = OwnCurves { own: of.diagram.own.clone() };
         Ok(ComputedOutput::new(Vec::new(), own.tables(of.names())))
+    }),
+    Output::new(SEVERAL, Title::plain("solutions with several impacts"), SequenceDiagram::TABLES, |_, of, _| {
+        Ok(ComputedOutput::new(Vec::new(), of.unfolded.sequences().tables(of.names())))
     }),
     Output {
         printed: Some(COEFFICIENT_COLUMNS),

@@ -7,6 +7,7 @@ use smallvec::SmallVec;
 
 use crate::newton::Linearisation;
 use crate::solution::{Multipliers, Stability};
+use crate::tolerances::WITHOUT_LIMIT;
 use crate::unknowns::{Square, Unknowns, unknown};
 
 /// The two maps from an impact (y, z; μ, η): one to its own surface of comparison, the other to that
@@ -233,10 +234,13 @@ impl Round {
     /// The unit vector at the first impact that the round trip stretches by a multiplier.
     pub fn direction(&self, multiplier: f64) -> Option<Vector2<f64>> {
         let LoopPair { round_trip, impact } = self.first();
-        let m = round_trip.derivative() - impact.derivative() * multiplier;
-        let across = [m.row(0), m.row(1)].map(|row| Vector2::new(-row[1], row[0]));
-        let longest = across.into_iter().max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
-        longest.try_normalize(0.0)
+        if self.0.len() == 1 {
+            return kernel(round_trip.derivative() - impact.derivative() * multiplier);
+        }
+        let (product, Invariants { straight, .. }) = self.invariants();
+        // Seen from the plane of the first impact.
+        let there = kernel(product - Matrix2::identity() * (multiplier * straight))?;
+        (adjugate(impact.derivative()) * there).try_normalize(0.0)
     }
 
     /// The stability that follows from the maps.
@@ -258,17 +262,31 @@ impl Round {
     /// curve with the given tangent.
     ///
     /// Numerators and denominator vanish together at a resonance; the limits are the ratios of
-    /// their derivatives along the curve. Jets of order 2.
+    /// their derivatives along the curve. Elsewhere the trace is infinite. Jets of order 2.
     pub fn limiting_multipliers(&self, tangent: &Unknowns) -> Multipliers {
         let none = Invariants { trace: 0.0, around: 0.0, straight: 0.0 };
-        let along = |weights: Invariants| self.gradient(weights).dot(tangent);
-        let trace = along(Invariants { trace: 1.0, ..none });
-        let around = along(Invariants { around: 1.0, ..none });
-        let straight = along(Invariants { straight: 1.0, ..none });
+        let weights = [
+            Invariants { trace: 1.0, ..none },
+            Invariants { around: 1.0, ..none },
+            Invariants { straight: 1.0, ..none },
+        ];
+        let slopes = weights.map(|weights| self.gradient(weights));
+        let [mut trace, around, straight] = slopes.each_ref().map(|slope| slope.dot(tangent));
+        let here = self.invariants().1.trace;
+        if here.abs() > WITHOUT_LIMIT * (slopes[0].norm() + slopes[2].norm()) {
+            trace = f64::INFINITY.copysign(here);
+        }
         Invariants { trace, around, straight }.multipliers()
     }
 }
 
 fn adjugate(m: Matrix2<f64>) -> Matrix2<f64> {
     Matrix2::new(m[(1, 1)], -m[(0, 1)], -m[(1, 0)], m[(0, 0)])
+}
+
+/// The unit vector that a singular matrix maps to zero.
+fn kernel(matrix: Matrix2<f64>) -> Option<Vector2<f64>> {
+    let across = [matrix.row(0), matrix.row(1)].map(|row| Vector2::new(-row[1], row[0]));
+    let longest = across.into_iter().max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+    longest.try_normalize(0.0)
 }

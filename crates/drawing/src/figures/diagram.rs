@@ -15,7 +15,9 @@ use crate::ink::legend::Sample;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
-use crate::plot::kinds::{Area, draw_curves, draw_ends, draw_points, shown_curves};
+use crate::plot::kinds::{
+    Area, draw_curves, draw_ends, draw_points, draw_several, name_several, shown_curves,
+};
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 use crate::plot::measured::draw_measured;
 use crate::plot::own::{draw_own, name_own};
@@ -77,6 +79,8 @@ pub fn draw_diagram(
             shapes.push((region.p, shape));
         }
     }
+    let shaded = look.shows(RegionKind::SeveralImpacts);
+    let several = if shaded { draw_several(&panel, &diagram.several) } else { Vec::new() };
     let drawn = draw_curves(&panel, &mut labels, shown_curves(&diagram.curves));
     let own = draw_own(&panel, &mut labels, &diagram.own);
     let mut sections = Vec::new();
@@ -129,6 +133,9 @@ pub fn draw_diagram(
         if !inside && let Some(spot) = labels.placer.deep_inside(shape) {
             labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Site::Around(spot, 1.0))?;
         }
+    }
+    if named {
+        name_several(&mut labels, &several)?;
     }
     for (p, spot) in unnamed.iter().filter(|_| named) {
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;

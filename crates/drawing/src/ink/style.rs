@@ -106,6 +106,9 @@ pub const NON_IMPACTING_AREA: Paint = Paint::of_region(RegionKind::NonImpacting)
 /// The paint of regions where an MPS is stable; overlapping regions appear darker.
 pub(crate) const MPS_AREA: Paint = Paint::of_region(RegionKind::Mps);
 
+/// The paint of regions where a solution with several impacts is stable.
+pub(crate) const SEVERAL_AREA: Paint = Paint::of_region(RegionKind::SeveralImpacts);
+
 /// The hatching of regions where stability is undecided, and the distance of its lines in points.
 pub(crate) const UNDECIDED: Pen = Pen::solid(Paint::of_region(RegionKind::Undecided).colour, 0.45);
 pub(crate) const HATCHING: f64 = 3.6;

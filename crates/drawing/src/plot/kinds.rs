@@ -4,14 +4,14 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Stability;
 use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
-use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SpecialPoint};
+use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SequenceVertex, SpecialPoint};
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Bounds, Spot, along, length, near};
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::style::{
-    Colour, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, UNDECIDED,
+    BLACK, Colour, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, Pen, SEVERAL_AREA, SMALL_LABEL_SIZE, UNDECIDED,
 };
 use crate::plot::axes::{Marker, Panel};
 
@@ -205,9 +205,31 @@ pub fn draw_points<'a>(
     drawn
 }
 
+/// Draws regions of solutions with several impacts; returns the name and the border of each that is decided
+/// and visible.
+pub fn draw_several(panel: &Panel<'_>, regions: &[SequenceVertex]) -> Vec<(String, Vec<Spot>)> {
+    let drawn = Area::several(regions).into_iter().map(|region| (region.draw(panel), region));
+    let named = drawn.filter(|(shape, region)| !shape.is_empty() && region.kind == RegionKind::SeveralImpacts);
+    named.map(|(shape, region)| (region.name, shape)).collect()
+}
+
+/// Writes the names of such regions into those that have room.
+///
+/// # Errors
+/// A name cannot be set in the embedded fonts.
+pub fn name_several(labels: &mut Labels<'_>, regions: &[(String, Vec<Spot>)]) -> Result<(), DrawingError> {
+    for (name, shape) in regions {
+        labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Within(shape))?;
+    }
+    Ok(())
+}
+
 /// A region of the parameter plane; vertices are (across, up).
 pub(crate) struct Area {
+    /// The number of loops p, 0 for other solutions than MPSs.
     pub(crate) p: u32,
+    /// What is written inside.
+    pub(crate) name: String,
     pub kind: RegionKind,
     /// The border of the region and those of its holes.
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
@@ -219,14 +241,33 @@ impl Area {
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
         let region = |vertices: &[RegionVertex]| Area {
             p: vertices[0].loops,
+            name: format!("$p={}$", vertices[0].loops),
             kind: vertices[0].kind,
             rings: vertices
                 .chunk_by(|a, b| a.ring == b.ring)
                 .map(|ring| ring.iter().map(|vertex| (vertex.primary, vertex.secondary)).collect())
                 .collect(),
         };
-        let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
-        // Hatching is drawn above shading.
+        Self::in_order(vertices.chunk_by(|a, b| a.region == b.region).map(region))
+    }
+
+    /// Regions of solutions with several impacts, K/P for K impacts in P forcing periods.
+    pub(crate) fn several(vertices: &[SequenceVertex]) -> Vec<Self> {
+        let region = |vertices: &[SequenceVertex]| Area {
+            p: 0,
+            name: format!("{}/{}", vertices[0].impacts, vertices[0].periods),
+            kind: vertices[0].kind,
+            rings: vertices
+                .chunk_by(|a, b| a.ring == b.ring)
+                .map(|ring| ring.iter().map(|vertex| (vertex.primary, vertex.secondary)).collect())
+                .collect(),
+        };
+        Self::in_order(vertices.chunk_by(|a, b| a.region == b.region).map(region))
+    }
+
+    /// The regions in the order of drawing: hatching above shading.
+    fn in_order(regions: impl Iterator<Item = Self>) -> Vec<Self> {
+        let mut regions: Vec<Self> = regions.collect();
         regions.sort_by_key(|region| region.kind == RegionKind::Undecided);
         regions
     }
@@ -248,6 +289,7 @@ impl Area {
 pub fn shade(panel: &Panel<'_>, kind: RegionKind) -> Paint {
     let (more, paint) = match kind {
         RegionKind::NonImpacting => ("", NON_IMPACTING_AREA),
+        RegionKind::SeveralImpacts => ("; K/P: K impacts in P periods", SEVERAL_AREA),
         _ => ("; darker where several are", MPS_AREA),
     };
     let meaning = format!("{}{more}", region_meaning(kind));

@@ -224,6 +224,7 @@ impl SampleOscillator {
             sections: Vec::new(),
             own: Vec::new(),
             measured: Vec::new(),
+            several: Vec::new(),
         };
         let straightened = straightened(&diagram.magnified, up);
         SampleOscillator { names: Names::new(names[0], names[1]), diagram, magnifications, straightened }

@@ -8,12 +8,12 @@ use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::fit::{Estimate, measure};
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
-use grazing_results::plane::{CurveSource, PlanePoint};
+use grazing_results::plane::{CurveSource, PlanePoint, SequenceVertex};
 use grazing_results::{Frame, Stability, brief, rows, tables};
 use grazing_source::kind::{count, counts};
-use grazing_unfold::Scope;
-use grazing_unfold::generations::{Later, LaterResonance, later};
+use grazing_unfold::generations::{BaseName, LaterResonance};
 use grazing_unfold::resonances::Unlocated;
+use grazing_unfold::sequences::{Sequences, sequences};
 use rayon::prelude::*;
 
 use super::fig07::Figure7;
@@ -99,6 +99,8 @@ tables! {
         resonances: LaterRow = "beyond_generations", "a resonance on a curve along which MPSs of Figure 7 graze",
         /// What leaves them.
         curves: LaterPoint = "beyond_generations_curves", "a point of a curve of solutions with several impacts",
+        /// Where solutions with several impacts are stable.
+        regions: SequenceVertex = "beyond_generations_regions", "a vertex of a region of stability of solutions with several impacts",
         /// Magnified.
         magnified: LaterMagnified = "beyond_generations_magnified", "a point of a curve in a magnification",
         ;
@@ -131,14 +133,14 @@ impl PaperFigure for BeyondGenerations {
     fn compute(&self, study: &Study) -> Result<Generations, StudyError> {
         let diagram = study.diagram()?;
         let window = study.parameters.section::<Figure7>()?.window();
-        let scope = Scope { loops: self.rounds.clone(), ..diagram.scope.clone() };
-        let Later { resonances: found, unlocated } = later(diagram, &scope, &*study.progress);
+        let sequences = sequences(diagram, &self.rounds, 2, &*study.progress);
+        let regions = grazing_analysis::sequences::rows(&sequences, &Axes::of_the_paper().units).regions;
+        let Sequences { resonances: found, unlocated, .. } = sequences;
         let resonances: Vec<LaterRow> = found
             .par_iter()
             .enumerate()
             .map(|(index, found)| {
-                let base = &diagram.curves[found.base];
-                row(index as u32 + 1, [base.loops, base.n], found)
+                row(index as u32 + 1, found)
             })
             .collect();
         let curves = (1..).zip(&found).flat_map(|(number, found)| points(number, found)).collect();
@@ -157,6 +159,7 @@ impl PaperFigure for BeyondGenerations {
         Ok(Generations {
             resonances,
             curves,
+            regions,
             magnified,
             known: plane::curves(&Axes::of_the_paper(), diagram),
             frame: window.into(),
@@ -207,8 +210,9 @@ impl BeyondGenerations {
     }
 }
 
-/// The row of a resonance on the grazing curve of MPSs with these p and n.
-fn row(number: u32, [base_loops, base_n]: [u32; 2], found: &LaterResonance) -> LaterRow {
+/// The row of a resonance.
+fn row(number: u32, found: &LaterResonance) -> LaterRow {
+    let BaseName { periods: base_loops, n: base_n, .. } = found.base;
     let located = &found.resonance.located;
     let [primary, secondary] = located.orbit().oscillator().parameters();
     let map = located.orbit().grazing_point().map;

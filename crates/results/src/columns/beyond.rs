@@ -127,6 +127,10 @@ columns! {
     LATER_BASE_LOOPS = "base_p", "p", "1";
     /// n of the resonance from which the regions of these MPSs leave; 0 without one
     LATER_BASE_INDEX = "base_n", "n", "1";
+    /// impacts of the grazing motion
+    LATER_BASE_IMPACTS = "base_impacts", "", "1";
+    /// forcing periods after which the grazing motion recurs
+    LATER_BASE_PERIODS = "base_periods", "", "1";
     /// q: solutions leave that hit the wall once more than in q rounds of the grazing motion; a₁₂ = 0 for q = 1, κ_q = 0 for q ≥ 2, of the map through its impact
     LATER_ROUNDS = "q", "q", "1";
     /// impacts of these solutions

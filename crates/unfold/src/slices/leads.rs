@@ -80,15 +80,19 @@ impl Slicer {
 
     /// Adds the branch of solutions of twice the period that begins at one with the multiplier −1.
     fn beginning_beside(&self, slice: &mut Slice, halved: &LoopEquations, at: Unknowns) {
-        let pair = halved.maps::<1>(&at, &mut EventTimes::default());
-        let Some(direction) = pair.ok().and_then(|pair| pair.direction(-1.0)) else { return };
+        let maps = halved.maps::<1>(&at, &mut EventTimes::default());
+        let Some(direction) = maps.ok().and_then(|maps| maps.direction(-1.0)) else { return };
+        let direction = halved.with_others(&at, Unknowns::new(direction[0], direction[1], 0.0, 0.0));
         let before = slice.branches.len();
         for distance in BESIDE_DOUBLING {
             if slice.branches.len() > before {
                 break;
             }
-            let mut near = at.clone();
-            (0..2).for_each(|k| near[k] += distance * direction[k]);
+            let aside = &direction * distance;
+            let near = match halved.has_impacts() {
+                true => (&at + &aside).followed_by(&(&at - &aside), halved.loops()),
+                false => &at + &aside,
+            };
             let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
             let conditions = [held, Condition::Secondary(slice.secondary)];
             let times = &mut EventTimes::default();

@@ -27,8 +27,8 @@ impl Survey<'_> {
         let mut lines: Vec<Vec<Point>> = Vec::new();
         if !has_impacts {
             lines.extend(self.grazing.iter().map(|curve| curve.parameters().collect()));
-            lines.extend(self.doublings());
         }
+        lines.extend(self.doublings());
         lines.extend(alongside::polylines(
             &self.net.equations,
             curves,
@@ -38,6 +38,7 @@ impl Survey<'_> {
         ));
         if has_impacts {
             lines.extend(self.forgotten());
+            self.meet_doublings(&mut lines);
         }
         let on_other = [
             CodimensionTwo::SaddleNodeTorus,
@@ -99,6 +100,18 @@ impl Survey<'_> {
     fn doublings(&self) -> impl Iterator<Item = Vec<Point>> {
         let doublings = self.halved.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling);
         doublings.map(|curve| curve.curve.parameters())
+    }
+
+    /// Makes ends of own curves at curves of period doublings their vertices: there a solution becomes one of
+    /// half the time.
+    fn meet_doublings(&self, lines: &mut [Vec<Point>]) {
+        if self.halved.is_empty() {
+            return;
+        }
+        let ends: Vec<Point> =
+            self.net.curves.iter().flat_map(|curve| curve.ends().map(|end| parameters(&end))).collect();
+        let is_loose = |end: &&Point| ends.iter().filter(|other| other == end).count() == 1;
+        ends.iter().filter(is_loose).for_each(|end| meet(lines, *end, self.scope.window));
     }
 
     /// Curves at which branches begin, except grazing of motion over one forcing period.

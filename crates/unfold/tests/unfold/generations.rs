@@ -10,7 +10,7 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
-use grazing_unfold::generations::{LaterResonance, later};
+use grazing_unfold::generations::{LaterResonance, bases, later};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::{Diagram, Scope};
 
@@ -22,7 +22,7 @@ fn found(oscillator: &AnyOscillator, scope: &Scope) -> (Diagram, Vec<LaterResona
     let followed = located.follow(&Silent, &|_, _| ());
     let diagram = located.with_curves(followed);
     let rounds = Scope { loops: vec![1, 2, 3, 4], ..scope.clone() };
-    let later = later(&diagram, &rounds, &Silent);
+    let later = later(&diagram, &bases(&diagram), &rounds, &Silent);
     (diagram, later.resonances)
 }
 

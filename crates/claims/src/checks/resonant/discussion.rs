@@ -8,7 +8,7 @@ use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_model::AnyOscillator;
 use grazing_unfold::Scope;
-use grazing_unfold::generations::later;
+use grazing_unfold::generations::{bases, later};
 use grazing_unfold::long_time::{Horizon, LongOrbit};
 use grazing_unfold::progress::Silent;
 
@@ -171,7 +171,7 @@ pub(crate) fn theorems_elsewhere() -> CheckResult {
     let diagram = figure_7()?;
     let scope = Scope { loops: vec![1, 2, 3, 4], ..diagram.scope.clone() };
     let (mut largest, mut compared) = (Deviations::default(), 0);
-    for found in later(diagram, &scope, &Silent).resonances {
+    for found in later(diagram, &bases(diagram), &scope, &Silent).resonances {
         let Ok(point) = &found.resonance.theorem else { continue };
         let conditions = [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING];
         for (condition, leading) in conditions.into_iter().zip(point.leading().into_array()) {

@@ -8,7 +8,7 @@ use grazing_drawing::ink::legend::Sample;
 use grazing_drawing::ink::markup::Label;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, MAGNIFIED_TEXT, Pen, SMALL_LABEL_SIZE};
 use grazing_drawing::plot::axes::{Marker, Panel};
-use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves};
+use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, draw_several, name_several};
 use grazing_results::plane::{CurveSource, PlanePoint};
 
 use super::{Generations, LaterMagnified, LaterPoint};
@@ -73,6 +73,7 @@ fn trace(rows: &[LaterPoint]) -> Trace {
 
 fn draw_window(figure: &Generations, panel: &Panel<'_>) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
+    let several = draw_several(panel, &figure.regions);
     for curve in figure.known.chunk_by(|a, b| a.arc == b.arc) {
         let spot = |row: &PlanePoint| match row.admissible {
             true => (row.primary, row.secondary),
@@ -100,6 +101,7 @@ fn draw_window(figure: &Generations, panel: &Panel<'_>) -> Result<(), DrawingErr
             labels.add(letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Site::Anyhow(&spots, OFF_TRIANGLE))?;
         }
     }
+    name_several(&mut labels, &several)?;
     labels.name_curves(drawn, NAMED_LENGTH, "grazing")?;
     labels.draw()?;
     panel.axes(r"$\mathcal{A}$", r"$\omega$")

@@ -18,7 +18,7 @@ fn words(kind: RegionKind) -> &'static [&'static str] {
         RegionKind::NonImpacting => &["stable", "non-impacting", "periodic", "solution"],
         RegionKind::Mps => &["stable", "$p$-loop MPS"],
         RegionKind::Both => &["both", "stable"],
-        RegionKind::Undecided => &[],
+        RegionKind::SeveralImpacts | RegionKind::Undecided => &[],
     }
 }
 
@@ -51,7 +51,7 @@ pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet,
         let shape = match kind {
             RegionKind::NonImpacting | RegionKind::Mps => panel.fill(vertices, shade(&panel, *kind)),
             // The overlap gets its shade from the two regions that it belongs to.
-            RegionKind::Both | RegionKind::Undecided => {
+            RegionKind::Both | RegionKind::SeveralImpacts | RegionKind::Undecided => {
                 vertices.iter().map(|&vertex| panel.spot(vertex)).collect()
             }
         };

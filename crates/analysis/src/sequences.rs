@@ -1,0 +1,106 @@
+//! Rows of solutions with several impacts.
+
+use grazing_continuation::mps::PeriodicSolution;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
+use grazing_results::Stability;
+use grazing_results::plane::{
+    RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
+};
+use grazing_unfold::curves::DiagramCurve;
+use grazing_unfold::generations::{BaseName, LaterResonance};
+use grazing_unfold::regions::Doubt;
+use grazing_unfold::sequences::{Sequence, Sequences};
+
+/// The rows of solutions with several impacts, in these units.
+pub fn rows(found: &Sequences, units: &Units) -> SequenceDiagram {
+    let resonances = (1..).zip(&found.resonances).map(|(number, at)| resonance(number, at, units));
+    let all = || found.solutions.iter();
+    let curves = all().flat_map(|solutions| solutions.curves.iter().map(move |curve| (solutions, curve)));
+    SequenceDiagram {
+        resonances: resonances.collect(),
+        curves: (0..).zip(curves).flat_map(|(arc, (of, curve))| points(arc, of, curve, units)).collect(),
+        regions: regions(all(), units),
+    }
+}
+
+fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonance {
+    let BaseName { impacts: base_impacts, periods: base_periods, .. } = at.base;
+    let [primary, secondary] = units.parameters(at.resonance.located.orbit().oscillator().parameters());
+    let unit = units.primary / (units.secondary * units.secondary);
+    let (coefficients, fails) = match &at.resonance.theorem {
+        Ok(point) => (point.leading().into_array().map(|curve| curve.coefficient * unit), String::new()),
+        Err(violated) => ([f64::NAN; 2], violated.to_string()),
+    };
+    SequenceResonance {
+        number,
+        base_impacts: base_impacts as u32,
+        base_periods,
+        rounds: at.resonance.loops,
+        impacts: at.impacts() as u32,
+        periods: at.periods(),
+        secondary,
+        primary,
+        saddle_node: coefficients[0],
+        period_doubling: coefficients[1],
+        fails,
+    }
+}
+
+fn points(
+    arc: u32,
+    of: &Sequence,
+    DiagramCurve { kind, curve, .. }: &DiagramCurve,
+    units: &Units,
+) -> Vec<SequencePoint> {
+    let row = |solution: &PeriodicSolution| {
+        let [primary, secondary] = units.parameters(solution.parameters());
+        SequencePoint {
+            impacts: of.impacts as u32,
+            periods: of.periods,
+            kind: *kind,
+            secondary,
+            primary,
+            impact_velocity: solution.impact_velocity() * units.velocity(),
+            trace: solution.multipliers.trace,
+            determinant: solution.multipliers.determinant,
+            max_interior_x: solution.ceiling() * units.length,
+            stable: Stability::of(solution.multipliers),
+            admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
+            arc,
+            lost: String::new(),
+        }
+    };
+    let mut rows: Vec<SequencePoint> = curve.points.iter().map(|point| row(&point.solution)).collect();
+    let [first, last] = curve.lost().map(Option::unwrap_or_default);
+    if let [begin, .., end] = rows.as_mut_slice() {
+        (begin.lost, end.lost) = (first, last);
+    }
+    rows
+}
+
+/// The regions of solutions with several impacts, vertex by vertex.
+fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units) -> Vec<SequenceVertex> {
+    let mut rows = Vec::new();
+    let regions = all.flat_map(|solutions| solutions.regions.iter().map(move |region| (solutions, region)));
+    for (number, (of, region)) in (1..).zip(regions) {
+        let kind = if region.doubt.is_some() { RegionKind::Undecided } else { RegionKind::SeveralImpacts };
+        let reason = region.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
+        for (ring, vertices) in (0..).zip(&region.rings) {
+            rows.extend(vertices.iter().map(|vertex| {
+                let [primary, secondary] = units.parameters(*vertex);
+                SequenceVertex {
+                    region: number,
+                    kind,
+                    impacts: of.impacts as u32,
+                    periods: of.periods,
+                    secondary,
+                    primary,
+                    ring,
+                    reason: reason.clone(),
+                }
+            }));
+        }
+    }
+    rows
+}

@@ -1,0 +1,266 @@
+//! Periodic solutions with several impacts: their curves, and the regions in which they are stable.
+//!
+//! Solutions with K impacts in P forcing periods are found where curves leave a resonance of motion with
+//! impacts ([`generations`](crate::generations)), and where simulated motion settles on them. From there
+//! branches and curves are followed, and regions decided, as those of MPSs are; but no lattice is searched,
+//! so that a region to which neither leads is not known. A region of K impacts that begins at the period
+//! doublings of K/2 is bounded by these.
+
+use std::collections::BTreeMap;
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::curve::Window;
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns};
+use grazing_model::smooth::Purpose;
+use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+use crate::Scope;
+use crate::curves::{CodimensionTwoPoint, DiagramCurve, Net};
+use crate::diagram::{Diagram, drawn};
+use crate::generations::{Base, Later, LaterResonance, bases, later};
+use crate::long_time::{Horizon, LongOrbit, random_start};
+use crate::progress::Progress;
+use crate::regions::{self, Region};
+use crate::resonances::Unlocated;
+use crate::survey::Survey;
+
+/// The solutions with K impacts in P forcing periods.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    /// The number of impacts K.
+    pub impacts: usize,
+    /// The number of forcing periods P.
+    pub periods: u32,
+    /// Their SN, PD, NS and GZ curves.
+    pub curves: Vec<DiagramCurve>,
+    /// The codimension-two points at which these meet.
+    pub codimension_two: Vec<CodimensionTwoPoint>,
+    /// The regions in which they are stable, and in which that is undecided.
+    pub regions: Vec<Region>,
+}
+
+/// The solutions with several impacts of a diagram, and the resonances that lead to them.
+#[derive(Clone, Debug, Default)]
+pub struct Sequences {
+    /// The solutions, by K and P.
+    pub solutions: Vec<Sequence>,
+    /// The resonances of motion with impacts that were located, generation by generation.
+    pub resonances: Vec<LaterResonance>,
+    /// Those that were detected but could not be located.
+    pub unlocated: Vec<Unlocated>,
+}
+
+/// The stage in which motion is simulated.
+const SIMULATED: &str = "motion with several impacts";
+/// The stage in which curves and regions are found.
+pub const REGIONS: &str = "regions of solutions with several impacts";
+/// Numbers of parts into which the ranges of η and μ are divided by the places of simulated motion.
+const ROWS: u32 = 32;
+const COLUMNS: u32 = 64;
+/// Number of random initial states at a place; motion from the place beside it is followed as well.
+const STARTS: u64 = 2;
+/// The seed of the random states, the lowest of them, and the time for which they are followed.
+const SEED: u128 = 1;
+const LOWEST: f64 = -2.0;
+const HORIZON: Horizon = Horizon::drifting(64, 24);
+
+/// What is known of the solutions with so many impacts in so many periods before their branches are followed.
+#[derive(Clone, Default)]
+struct Leads {
+    /// Curves that leave resonances.
+    curves: Vec<DiagramCurve>,
+    /// Solutions on which motion settles.
+    seen: Vec<Unknowns>,
+}
+
+/// Numbers of impacts and of forcing periods, in the order in which solutions branch off each other.
+type Numbers = (usize, u32);
+
+/// The solutions with several impacts up to a generation, the MPSs being the first: solutions of the next
+/// leave the resonances on curves at which those of the one before graze, with one impact more than so many
+/// `rounds` of the grazing motion. Solutions on which simulated motion settles are added if they have no more
+/// impacts and forcing periods than these can have. Empty for the first generation.
+pub fn sequences(
+    diagram: &Diagram,
+    rounds: &[u32],
+    generations: u32,
+    progress: &dyn Progress,
+) -> Sequences {
+    let mut found = Sequences::default();
+    let (most_rounds, most_loops) = (largest(rounds), largest(&diagram.scope.loops));
+    if generations < 2 || most_rounds == 0 {
+        return found;
+    }
+    let levels: Vec<f64> = (0..=ROWS).map(|k| level(diagram.scope.window, k)).collect();
+    let most = (1..generations).fold((1, most_loops), |(impacts, periods), _| {
+        (most_rounds as usize * impacts + 1, most_rounds * periods)
+    });
+    let mut leads: BTreeMap<Numbers, Leads> = BTreeMap::new();
+    for (numbers, solution) in simulated(diagram, &levels, progress) {
+        if numbers.0 <= most.0 && numbers.1 <= most.1 {
+            leads.entry(numbers).or_default().seen.push(solution);
+        }
+    }
+    let scope = Scope { loops: rounds.to_vec(), ..diagram.scope.clone() };
+    let mut grazing = bases(diagram);
+    for _ in 1..generations {
+        let Later { resonances, unlocated } = later(diagram, &grazing, &scope, progress);
+        for resonance in &resonances {
+            let numbers = (resonance.impacts(), resonance.periods());
+            leads.entry(numbers).or_default().curves.extend(leaving(resonance));
+        }
+        found.resonances.extend(resonances);
+        found.unlocated.extend(unlocated);
+        found.solutions = decided(diagram, &leads, &levels, progress);
+        grazing = found.solutions.iter().flat_map(Sequence::bases).collect();
+    }
+    found
+}
+
+/// The largest of some numbers, or 0.
+fn largest(numbers: &[u32]) -> u32 {
+    numbers.iter().copied().max().unwrap_or(0)
+}
+
+/// The value of η of a row of places.
+fn level(window: Window, row: u32) -> f64 {
+    window.parameters([0.0, f64::from(row) / f64::from(ROWS)])[1]
+}
+
+/// The curves that leave a resonance.
+fn leaving(resonance: &LaterResonance) -> impl Iterator<Item = DiagramCurve> {
+    let loops = resonance.periods();
+    resonance.curves.iter().map(move |curve| {
+        let kind = Bifurcation::of(curve.condition, loops).unwrap_or(Bifurcation::Grazing);
+        DiagramCurve { kind, loops, n: 0, curve: curve.clone() }
+    })
+}
+
+impl Sequence {
+    /// The curves at which these solutions graze.
+    fn bases(&self) -> impl Iterator<Item = Base> {
+        let curves = self.curves.iter().enumerate().filter(|(_, curve)| curve.kind == Bifurcation::Grazing);
+        curves.map(|(index, curve)| Base { impacts: self.impacts, index, curve: curve.clone() })
+    }
+}
+
+/// Curves and regions of the solutions to which something leads, those of fewer impacts first.
+fn decided(
+    diagram: &Diagram,
+    leads: &BTreeMap<Numbers, Leads>,
+    levels: &[f64],
+    progress: &dyn Progress,
+) -> Vec<Sequence> {
+    let all: Vec<(&Numbers, &Leads)> = leads.iter().collect();
+    progress.begin(REGIONS, all.len() as u64);
+    let mut found: Vec<Sequence> = Vec::new();
+    for same in all.chunk_by(|a, b| a.0.0 == b.0.0) {
+        let more = same.par_iter().map(|&(&numbers, leads)| {
+            let halved = halved(diagram, &found, numbers);
+            let solutions = of_numbers(diagram, numbers, leads, levels, halved, progress);
+            progress.step(REGIONS);
+            solutions
+        });
+        let more: Vec<Sequence> = more.collect();
+        found.extend(more);
+    }
+    progress.end(REGIONS);
+    found
+}
+
+/// The solutions of half the time from which some may branch off, with their curves.
+fn halved<'a>(
+    diagram: &'a Diagram,
+    known: &'a [Sequence],
+    (impacts, periods): Numbers,
+) -> Option<(LoopEquations, Vec<DiagramCurve>)> {
+    (impacts.is_multiple_of(2) && periods.is_multiple_of(2)).then_some(())?;
+    let (impacts, periods) = (impacts / 2, periods / 2);
+    let of_half = |curve: &&DiagramCurve| curve.loops == periods;
+    let curves = match impacts {
+        1 => diagram.curves.iter().filter(of_half).cloned().collect(),
+        _ => {
+            let half = known.iter().find(|known| (known.impacts, known.periods) == (impacts, periods));
+            half.map_or_else(Vec::new, |half| half.curves.clone())
+        }
+    };
+    Some((diagram.equations(periods), curves))
+}
+
+/// Curves and regions of the solutions with so many impacts in so many periods.
+fn of_numbers(
+    diagram: &Diagram,
+    (impacts, periods): Numbers,
+    leads: &Leads,
+    levels: &[f64],
+    halved: Option<(LoopEquations, Vec<DiagramCurve>)>,
+    progress: &dyn Progress,
+) -> Sequence {
+    let scope = &diagram.scope;
+    let mut net = Net::new(diagram.equations(periods));
+    leads.curves.iter().for_each(|curve| net.add(curve.clone()));
+    Purpose::Curves.during(|| net.grow(&drawn(scope.window)));
+    let halved = halved.as_ref().map(|(equations, curves)| (equations.clone(), curves.as_slice()));
+    let mut survey = Survey::of_several(&mut net, scope, leads.seen.clone(), halved);
+    let regions = regions::decided(scope.window, &mut survey, levels, progress);
+    let regions = regions.unwrap_or_else(|| vec![Region::not_finished(scope.window, periods)]);
+    let Net { curves, meetings, .. } = net;
+    Sequence { impacts, periods, curves, codimension_two: meetings, regions }
+}
+
+/// The solutions with several impacts on which simulated motion settles, row by row.
+fn simulated(diagram: &Diagram, levels: &[f64], progress: &dyn Progress) -> Vec<(Numbers, Unknowns)> {
+    progress.begin(SIMULATED, levels.len() as u64);
+    let row = |level: &f64| {
+        let found = along_row(diagram, *level, progress);
+        progress.step(SIMULATED);
+        found
+    };
+    let found: Vec<_> = levels.par_iter().flat_map_iter(row).collect();
+    progress.end(SIMULATED);
+    found
+}
+
+/// The solutions with several impacts on which motion settles at the places of one row.
+fn along_row(diagram: &Diagram, level: f64, progress: &dyn Progress) -> Vec<(Numbers, Unknowns)> {
+    let mut found = Vec::new();
+    let mut beside: Vec<State> = Vec::new();
+    for column in (0..=COLUMNS).take_while(|_| !progress.stopped()) {
+        let [primary, _] = diagram.scope.window.parameters([f64::from(column) / f64::from(COLUMNS), 0.0]);
+        let here = diagram.oscillator.with_parameters([primary, level]);
+        let mut random = Pcg64::new(SEED, u128::from(column));
+        let fresh = (0..STARTS).map(|_| random_start(LOWEST, &mut random));
+        let starts: Vec<State> = beside.drain(..).chain(fresh).collect();
+        for from in starts {
+            let orbit = LongOrbit::follow(&here, from, HORIZON);
+            let Some(cycle) = orbit.cycle.filter(|cycle| cycle.impacts > 0) else { continue };
+            if beside.is_empty() {
+                beside.push(cycle.from);
+            }
+            if let Some(solution) = solution(diagram, &here, &orbit).filter(|_| cycle.impacts > 1) {
+                found.push(((cycle.impacts, cycle.periods), solution));
+            }
+        }
+    }
+    found
+}
+
+/// The periodic solution on which an orbit has settled.
+fn solution(diagram: &Diagram, oscillator: &AnyOscillator, orbit: &LongOrbit) -> Option<Unknowns> {
+    let cycle = orbit.cycle?;
+    let frequency = oscillator.forcing_frequency().value;
+    let (flights, struck) = (orbit.flights.get(..cycle.impacts)?, orbit.impacts.get(..cycle.impacts)?);
+    let (first, begin) = (struck.first()?, flights.first()?);
+    let end = |index: usize| flights[index].start + flights[index].duration;
+    // Phases are not reduced.
+    let phase = |index: usize| first[1] + frequency * (end(index) - (begin.start + begin.duration));
+    let impacts: Vec<OnWall> =
+        struck.iter().enumerate().map(|(index, impact)| OnWall::new(impact[0], phase(index))).collect();
+    let here @ [primary, secondary] = oscillator.parameters();
+    let held = [Condition::Primary(primary), Condition::Secondary(secondary)];
+    let near = Unknowns::of_impacts(&impacts, here);
+    locate(&diagram.equations(cycle.periods), held, near, &mut EventTimes::default()).ok()
+}
