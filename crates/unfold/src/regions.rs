@@ -31,6 +31,9 @@ const NOTHING: f64 = 1e-12;
 /// Undecided faces with less than this fraction of the window's area are left out: the chords of
 /// two curves that cross at a small angle leave such faces between them.
 const SPECK: f64 = 1e-7;
+/// Room, as a fraction of the range of μ, to both sides of what slices do not agree on, beyond which they
+/// decide.
+const ABOUT_DOUBTS: f64 = 0.02;
 /// Number of intervals between the first slices of the whole window.
 const SLICES: u32 = 16;
 /// Largest number of rounds in which slices are added where they are needed.
@@ -181,17 +184,47 @@ impl Judge {
         cuts.into_iter().map(|level| vec![[left, level], [right, level]]).collect()
     }
 
-    /// Judges a face with trouble again in bands, each about one of the slices with trouble; a band
-    /// that no slice meets is as doubtful as the whole.
+    /// Judges a face with trouble again in bands, each about one of the slices with trouble, and these in
+    /// parts, beside what is doubtful and about it; a part that no slice meets is as doubtful as the whole.
     fn parted(&self, judged: FaceVerdict) -> Vec<FaceVerdict> {
         let Err(doubt) = &judged.verdict else { return vec![judged] };
-        let bands = self.bands(&judged);
-        let parts = faces::part(&judged.face, &bands).into_iter().map(|face| {
+        let judge = |face: Face| {
             let part = self.judge(face);
             let verdict = if part.verdict == Err(Doubt::Unseen) { Err(doubt.clone()) } else { part.verdict };
             FaceVerdict { verdict, ..part }
-        });
-        parts.collect()
+        };
+        let in_bands = faces::part(&judged.face, &self.bands(&judged)).into_iter().map(judge);
+        let about = |band: FaceVerdict| match band.verdict {
+            Ok(_) => vec![band],
+            Err(_) => {
+                let lines = self.about_doubts(&band.face);
+                faces::part(&band.face, &lines).into_iter().map(judge).collect::<Vec<_>>()
+            }
+        };
+        in_bands.flat_map(about).collect()
+    }
+
+    /// Vertical lines to both sides of what slices show in a face or doubt there; none where they doubt all of it.
+    fn about_doubts(&self, face: &Face) -> Vec<Vec<Point>> {
+        let [low, high] = faces::extent(face);
+        let [left, right] = self.window.primary;
+        let [mut first, mut last] = [f64::INFINITY, f64::NEG_INFINITY];
+        for sight in self.sights.iter().filter(|sight| low <= sight.secondary && sight.secondary <= high) {
+            if sight.everywhere.is_some() {
+                return Vec::new();
+            }
+            let chords = faces::chords(face, sight.secondary);
+            let doubts = sight.doubts.iter().map(|(primary, _)| [*primary; 2]);
+            for [from, to] in sight.good.iter().copied().chain(doubts) {
+                for [begin, end] in chords.iter().filter(|[begin, end]| *begin < to && from < *end) {
+                    (first, last) = (first.min(from.max(*begin)), last.max(to.min(*end)));
+                }
+            }
+        }
+        let room = ABOUT_DOUBTS * (right - left);
+        let lines = [first - room, last + room].into_iter().filter(|at| left < *at && *at < right);
+        let beyond = high - low;
+        lines.map(|at| vec![[at, low - beyond], [at, high + beyond]]).collect()
     }
 
     /// The regions into which lines cut the window.

@@ -82,7 +82,8 @@ type Numbers = (usize, u32);
 /// The solutions with several impacts up to a generation, the MPSs being the first: solutions of the next
 /// leave the resonances on curves at which those of the one before graze, with one impact more than so many
 /// `rounds` of the grazing motion. Solutions on which simulated motion settles are added if they have no more
-/// impacts and forcing periods than these can have. Empty for the first generation.
+/// impacts and forcing periods than these can have, but not solutions with two impacts that branch off MPSs
+/// whose number of loops the diagram does not have. Empty for the first generation.
 pub fn sequences(
     diagram: &Diagram,
     rounds: &[u32],
@@ -100,7 +101,7 @@ pub fn sequences(
     });
     let mut leads: BTreeMap<Numbers, Leads> = BTreeMap::new();
     for (numbers, solution) in simulated(diagram, &levels, progress) {
-        if numbers.0 <= most.0 && numbers.1 <= most.1 {
+        if numbers.0 <= most.0 && numbers.1 <= most.1 && bounds_are_known(diagram, numbers) {
             leads.entry(numbers).or_default().seen.push(solution);
         }
     }
@@ -118,6 +119,12 @@ pub fn sequences(
         grazing = found.solutions.iter().flat_map(Sequence::bases).collect();
     }
     found
+}
+
+/// Whether the curves are known at which solutions branch off those of half the time: MPSs have them if the
+/// diagram has their p.
+fn bounds_are_known(diagram: &Diagram, (impacts, periods): Numbers) -> bool {
+    impacts != 2 || !periods.is_multiple_of(2) || diagram.scope.loops.contains(&(periods / 2))
 }
 
 /// The largest of some numbers, or 0.
