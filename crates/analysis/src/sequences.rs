@@ -4,9 +4,7 @@ use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::Stability;
-use grazing_results::plane::{
-    RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
-};
+use grazing_results::plane::{RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex};
 use grazing_unfold::curves::DiagramCurve;
 use grazing_unfold::generations::{BaseName, LaterResonance};
 use grazing_unfold::regions::Doubt;

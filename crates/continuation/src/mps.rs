@@ -179,7 +179,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The equations of solutions that take half as long, if that is a whole number of forcing periods.
     pub fn of_half_the_time(&self) -> Option<Self> {
-        (self.loops > 0 && self.loops.is_multiple_of(2)).then(|| Self { loops: self.loops / 2, ..self.clone() })
+        (self.loops > 0 && self.loops.is_multiple_of(2))
+            .then(|| Self { loops: self.loops / 2, ..self.clone() })
     }
 
     /// The formulation in use.

@@ -104,7 +104,8 @@ impl Unknowns {
     /// index as its first.
     #[must_use]
     pub fn beginning_with(&self, first: usize, periods: u32) -> Self {
-        let mut impacts: SmallVec<[OnWall; 4]> = (0..self.impacts()).map(|index| self.impact(index)).collect();
+        let mut impacts: SmallVec<[OnWall; 4]> =
+            (0..self.impacts()).map(|index| self.impact(index)).collect();
         impacts[..first].iter_mut().for_each(|impact| impact.phase += f64::from(periods) * TAU);
         impacts.rotate_left(first);
         Self::of_impacts(&impacts, parameters(self))

@@ -20,7 +20,8 @@ pub(crate) fn without_copies(equations: &LoopEquations, curve: Curve) -> Curve {
         let ends = apart(&pair[0]).zip(apart(&pair[1]));
         ends.is_some_and(|(before, after)| before.dot(&after) < 0.0)
     };
-    let passages = (1..).zip(curve.points.windows(2)).filter(|(_, pair)| passed(pair)).map(|(after, _)| after);
+    let passages =
+        (1..).zip(curve.points.windows(2)).filter(|(_, pair)| passed(pair)).map(|(after, _)| after);
     let passages: Vec<usize> = passages.collect();
     if passages.is_empty() {
         return curve;

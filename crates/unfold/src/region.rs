@@ -75,6 +75,12 @@ impl Region {
         Self { loops, n: 0, rings: vec![border], doubt: Some(Doubt::NotFinished) }
     }
 
+    /// The fraction of the window's area that lies in the region.
+    pub fn share(&self, window: Window) -> f64 {
+        let [width, height] = window.widths();
+        faces::area(&self.rings) / (width * height)
+    }
+
     /// The kind of the region.
     pub fn kind(&self) -> RegionKind {
         match (&self.doubt, self.loops) {

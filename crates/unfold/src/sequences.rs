@@ -84,12 +84,7 @@ type Numbers = (usize, u32);
 /// `rounds` of the grazing motion. Solutions on which simulated motion settles are added if they have no more
 /// impacts and forcing periods than these can have, but not solutions with two impacts that branch off MPSs
 /// whose number of loops the diagram does not have. Empty for the first generation.
-pub fn sequences(
-    diagram: &Diagram,
-    rounds: &[u32],
-    generations: u32,
-    progress: &dyn Progress,
-) -> Sequences {
+pub fn sequences(diagram: &Diagram, rounds: &[u32], generations: u32, progress: &dyn Progress) -> Sequences {
     let mut found = Sequences::default();
     let (most_rounds, most_loops) = (largest(rounds), largest(&diagram.scope.loops));
     if generations < 2 || most_rounds == 0 {

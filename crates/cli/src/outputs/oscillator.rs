@@ -104,9 +104,12 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
         let own = OwnCurves { own: of.diagram.own.clone() };
         Ok(ComputedOutput::new(Vec::new(), own.tables(of.names())))
     }),
-    Output::new(SEVERAL, Title::plain("solutions with several impacts"), SequenceDiagram::TABLES, |_, of, _| {
-        Ok(ComputedOutput::new(Vec::new(), of.unfolded.sequences().tables(of.names())))
-    }),
+    Output::new(
+        SEVERAL,
+        Title::plain("solutions with several impacts"),
+        SequenceDiagram::TABLES,
+        |_, of, _| Ok(ComputedOutput::new(Vec::new(), of.unfolded.sequences().tables(of.names()))),
+    ),
     Output {
         printed: Some(COEFFICIENT_COLUMNS),
         ..Output::new(

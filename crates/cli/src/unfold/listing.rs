@@ -15,6 +15,7 @@ use grazing_description::{Axis, Description};
 use grazing_results::{Stability, brief, span, with_unit};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::resonances;
+use grazing_unfold::sequences::Sequence;
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
@@ -84,6 +85,7 @@ pub(crate) fn results(layout: Layout, description: &Description, unfolded: &Anal
         unfinished(layout, description, units, diagram),
         corners(layout, description, unfolded),
         own_curves(layout, description, unfolded),
+        several_impacts(layout, unfolded),
         odd_ends(layout, description, unfolded),
         undecided(layout, description, unfolded),
         thin(layout, description, unfolded),
@@ -287,6 +289,27 @@ fn corners(layout: Layout, description: &Description, unfolded: &Analysis) -> St
     let velocity = with_unit("impact velocity", unfolded.axes.names.named_unit("length/time").as_deref());
     let table = layout.aligned(&["kind", "p", "n", &secondary, &primary, &velocity], rows);
     format!("\nCodimension-two points on these curves\n{table}")
+}
+
+/// The solutions with several impacts, each with the part of the window in which they are stable.
+fn several_impacts(layout: Layout, unfolded: &Analysis) -> String {
+    let window = unfolded.diagram.scope.window;
+    let row = |found: &Sequence| {
+        let percent = |decided: bool| {
+            let regions = found.regions.iter().filter(|region| region.doubt.is_none() == decided);
+            brief(100.0 * regions.map(|region| region.share(window)).sum::<f64>(), 3)
+        };
+        let regions = found.regions.iter().filter(|region| region.doubt.is_none()).count();
+        let numbers = [found.impacts, found.periods as usize, regions].map(|number| number.to_string());
+        numbers.into_iter().chain([percent(true), percent(false)]).collect()
+    };
+    let solutions = &unfolded.sequences.solutions;
+    if solutions.is_empty() {
+        return String::new();
+    }
+    let header = ["impacts", "periods", "regions", "% stable", "% undecided"];
+    let table = layout.aligned(&header, solutions.iter().map(row));
+    format!("\nSolutions with several impacts (data/sequence_regions.csv)\n{table}")
 }
 
 /// The curves that the file asks for, each with its extent.

@@ -2,8 +2,10 @@
 
 use core::f64::consts::TAU;
 
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{CurveEnd, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Round, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Round, Unknowns, unknown};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
@@ -118,4 +120,62 @@ fn what_simulation_settles_on_solves_the_equations_and_is_as_stable_as_they_say(
         let expected = libm::pow(EPSILON, 2.0 * count as f64) * decay;
         assert_within(solution.multipliers.determinant, expected, 1e-9);
     }
+}
+
+#[test]
+fn impacts_may_be_numbered_from_any_of_them() {
+    let oscillator = LinearOscillator::new(ZETA, EPSILON, 0.5, 0.6).unwrap();
+    let equations = LoopEquations::new(oscillator, 3, Formulation::FixedPhase);
+    let impacts = [(0.3, 0.2), (0.1, 4.0), (0.15, 9.0)].map(|(y, z)| OnWall::new(y, z));
+    let point = Unknowns::of_impacts(&impacts, [0.5, 0.6]);
+    for first in 0..3 {
+        let other = point.beginning_with(first, 3);
+        assert_eq!(other.impact(0).velocity, impacts[first].velocity);
+        // Phases go on rising, by no more than the whole time.
+        let phases: Vec<f64> = (0..3).map(|index| other.impact(index).phase).collect();
+        assert!(phases.is_sorted() && phases[2] - phases[0] < 3.0 * TAU);
+        assert_within(equations.gap(&point, &other).norm(), 0.0, 1e-14);
+        // Numbering is no solution: something else stays something else.
+        let mut moved = other.clone();
+        moved[0] += 0.01;
+        assert_within(equations.gap(&point, &moved).norm(), 0.01, 1e-12);
+    }
+    assert!(!equations.recurs_sooner(&point));
+    let once = Unknowns::of_impacts(&impacts[..1], [0.5, 0.6]);
+    let thrice = once.followed_by(&once, 1).followed_by(&once, 2);
+    assert!(equations.recurs_sooner(&thrice));
+    assert!(equations.of_half_the_time().is_none() && equations.after_a_part(&thrice, 2).is_none());
+    assert_eq!(thrice.first_impacts(1), once);
+}
+
+#[test]
+fn a_branch_that_ends_where_an_impact_loses_its_velocity_has_the_bifurcations_just_before() {
+    // Away from a resonance the trace tends to infinity there, so that a multiplier passes 1 or −1 on the way.
+    let [amplitude, omega] = [0.279, 0.7578];
+    let oscillator = LinearOscillator::new(ZETA, EPSILON, amplitude, omega).unwrap();
+    // Two impacts in two periods, the second of them slow.
+    let impacts = [(0.985, -0.51), (0.04, 7.68)].map(|(y, z)| OnWall::new(y, z));
+    let equations = LoopEquations::new(oscillator, 2, Formulation::FixedPhase);
+    let held = [Condition::Primary(amplitude), Condition::Secondary(omega)];
+    let start = Unknowns::of_impacts(&impacts, [amplitude, omega]);
+    let start = locate(&equations, held, start, &mut EventTimes::default()).unwrap();
+    let branch = SolutionCurve { equations, condition: Condition::Secondary(omega) };
+    let window = Window { primary: [0.2, 1.3], secondary: [0.0, 2.0] };
+    let route =
+        Route { window, control: StepControl::DRAWING, step_limit: 5_000, stop_at_events: false, pace: None };
+    let faster = start.along(unknown::PRIMARY);
+    let branch = branch.follow_both_ways(start, faster, &EventTimes::default(), &route).unwrap();
+    let mut stable_before = 0;
+    let ends = [(branch.beginning.as_ref(), 0), (Some(&branch.end), branch.points.len() - 1)];
+    for (end, index) in ends.into_iter().filter(|(end, _)| matches!(end, Some(CurveEnd::Grazing))) {
+        let last = &branch.points[index].solution;
+        assert!(last.multipliers.trace.is_infinite() && !last.stable(), "{end:?} {last:?}");
+        let beside = &branch.points[if index == 0 { 1 } else { index - 1 }].solution;
+        let sign = last.multipliers.trace.signum();
+        // Nothing stable reaches grazing: either it was unstable before, or the loss was located.
+        let lost = |event: &Event| event.condition == Condition::Multiplier(sign);
+        assert!(!beside.stable() || branch.events.iter().any(lost), "{beside:?}");
+        stable_before += u32::from(beside.stable());
+    }
+    assert!(stable_before > 0, "{:?} {:?}", branch.beginning, branch.end);
 }

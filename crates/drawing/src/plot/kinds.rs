@@ -11,7 +11,8 @@ use crate::geometry::sheet::{Bounds, Spot, along, length, near};
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend::Sample;
 use crate::ink::style::{
-    BLACK, Colour, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, Pen, SEVERAL_AREA, SMALL_LABEL_SIZE, UNDECIDED,
+    BLACK, Colour, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, Pen, SEVERAL_AREA, SMALL_LABEL_SIZE,
+    UNDECIDED,
 };
 use crate::plot::axes::{Marker, Panel};
 
@@ -209,7 +210,8 @@ pub fn draw_points<'a>(
 /// and visible.
 pub fn draw_several(panel: &Panel<'_>, regions: &[SequenceVertex]) -> Vec<(String, Vec<Spot>)> {
     let drawn = Area::several(regions).into_iter().map(|region| (region.draw(panel), region));
-    let named = drawn.filter(|(shape, region)| !shape.is_empty() && region.kind == RegionKind::SeveralImpacts);
+    let named =
+        drawn.filter(|(shape, region)| !shape.is_empty() && region.kind == RegionKind::SeveralImpacts);
     named.map(|(shape, region)| (region.name, shape)).collect()
 }
 

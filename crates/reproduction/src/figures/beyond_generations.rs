@@ -136,13 +136,8 @@ impl PaperFigure for BeyondGenerations {
         let sequences = sequences(diagram, &self.rounds, 2, &*study.progress);
         let regions = grazing_analysis::sequences::rows(&sequences, &Axes::of_the_paper().units).regions;
         let Sequences { resonances: found, unlocated, .. } = sequences;
-        let resonances: Vec<LaterRow> = found
-            .par_iter()
-            .enumerate()
-            .map(|(index, found)| {
-                row(index as u32 + 1, found)
-            })
-            .collect();
+        let resonances: Vec<LaterRow> =
+            found.par_iter().enumerate().map(|(index, found)| row(index as u32 + 1, found)).collect();
         let curves = (1..).zip(&found).flat_map(|(number, found)| points(number, found)).collect();
         let missing = (1..).zip(&found).flat_map(|(number, found): (u32, _)| {
             let sentence = move |reason| {

@@ -64,7 +64,7 @@ fn on_the_grazing_curves_of_figure_7_the_theorems_hold_for_solutions_with_impact
         (amplitude - 0.989607).abs() < 1e-6 && (omega - 0.486342).abs() < 1e-6
     });
     let known = known.expect("it is on the curve");
-    let base = &diagram.curves[known.base];
+    let base = &diagram.curves[known.base.index];
     assert_eq!((base.loops, base.n, known.impacts(), known.periods()), (2, 2, 2, 2));
     let point = known.resonance.theorem.as_ref().expect("theorem 2.4 holds");
     let [saddle_node, period_doubling] = point.leading().into_array();
@@ -73,7 +73,7 @@ fn on_the_grazing_curves_of_figure_7_the_theorems_hold_for_solutions_with_impact
     let (mut measured, mut rounds, mut settled) = (0, [0; 5], [0; 5]);
     for found in &later {
         let q = found.resonance.loops;
-        let base = &diagram.curves[found.base];
+        let base = &diagram.curves[found.base.index];
         assert_eq!(found.impacts(), q as usize + 1);
         assert_eq!(found.periods(), q * base.loops);
         let Ok(point) = &found.resonance.theorem else { continue };

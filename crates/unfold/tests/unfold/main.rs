@@ -17,6 +17,7 @@ mod places;
 mod regions;
 mod resonances;
 mod search;
+mod sequences;
 mod slivers;
 mod specimens;
 mod straightened;
