@@ -11,12 +11,12 @@ use crate::geometry::clip::checked;
 use crate::geometry::sheet::{Bounds, Spot, area};
 use crate::ink::canvas::Canvas;
 use crate::ink::labels::{Labels, Site};
-use crate::ink::legend::Sample;
+use crate::ink::legend;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{
-    Area, draw_curves, draw_ends, draw_points, draw_several, name_several, shown_curves,
+    Region, draw_curves, draw_ends, draw_points, draw_several, name_several, shown_curves,
 };
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 use crate::plot::measured::draw_measured;
@@ -67,27 +67,27 @@ pub fn draw_diagram(
     let usual = (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM);
     let canvas = Canvas::new(width, look.style.height.unwrap_or(usual))?;
     let bounds = bounds(&canvas, &frame, up)?;
-    let panel =
-        Panel { tables: heading.tables, columns: names.columns(), ..Panel::new(&canvas, frame, bounds) };
+    let mut panel =
+        Panel { tables: heading.tables, columns: names.columns(), ..Panel::new(&canvas, frame, bounds)? };
     let mut labels = Labels::new(&canvas, bounds);
     labels.farthest = LONGEST_LEADER;
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
-    for region in Area::all(&diagram.regions).into_iter().filter(|region| look.shows(region.kind)) {
-        let shape = region.draw(&panel);
+    for region in Region::all(&diagram.regions).into_iter().filter(|region| look.shows(region.kind)) {
+        let shape = region.draw(&mut panel)?;
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
         }
     }
     let shaded = look.shows(RegionKind::SeveralImpacts);
-    let several = if shaded { draw_several(&panel, &diagram.several) } else { Vec::new() };
-    let drawn = draw_curves(&panel, &mut labels, shown_curves(&diagram.curves));
-    let own = draw_own(&panel, &mut labels, &diagram.own);
+    let several = if shaded { draw_several(&mut panel, &diagram.several)? } else { Vec::new() };
+    let drawn = draw_curves(&mut panel, &mut labels, shown_curves(&diagram.curves))?;
+    let own = draw_own(&mut panel, &mut labels, &diagram.own)?;
     let mut sections = Vec::new();
     for section in diagram.sections.iter().filter(|_| look.names(Named::Diagrams)) {
         let pen = if section.thin { THIN_SECTION } else { SECTION };
-        for piece in panel.line(&section.ends, pen) {
-            canvas.explain("line of a one-parameter diagram", Sample::Line(pen));
+        let line = panel.draw_series(panel.curve(&section.ends, pen))?;
+        for piece in line.label("line of a one-parameter diagram").legend(legend::line(pen))?.pieces {
             if section.thin {
                 labels.placer.keep_off_nameless(&piece);
             } else {
@@ -97,22 +97,23 @@ pub fn draw_diagram(
         }
     }
     let mut unnamed: Vec<(u32, Spot)> = Vec::new();
-    for (point, taken) in draw_points(&panel, &mut labels, &diagram.points) {
+    for (point, spot) in draw_points(&mut panel, &mut labels, &diagram.points)? {
         let p = point.loops;
         if point.kind == CodimensionTwo::Resonance && !shapes.iter().any(|(known, _)| *known == p) {
-            unnamed.push((p, taken.centre()));
+            unnamed.push((p, spot));
         }
     }
     let lost = diagram.curves.iter().filter(|point| !point.lost.is_empty());
     let lost_own = diagram.own.iter().filter(|point| !point.lost.is_empty());
     let lost = lost.map(|point| (point.primary, point.secondary));
-    draw_ends(&panel, &mut labels, lost.chain(lost_own.map(|point| (point.primary, point.secondary))));
+    let lost = lost.chain(lost_own.map(|point| (point.primary, point.secondary)));
+    draw_ends(&mut panel, &mut labels, lost)?;
     let mut boxes = Vec::new();
     for magnified in diagram.magnified.iter().filter(|_| look.names(Named::Magnifications)) {
-        let outline = rectangle(&panel, &magnified.frame, &mut labels);
+        let outline = rectangle(&mut panel, &magnified.frame, &mut labels)?;
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
-    draw_measured(&panel, &mut labels, &diagram.measured);
+    draw_measured(&mut panel, &mut labels, &diagram.measured)?;
     panel.axes(across, up)?;
 
     for (number, outline) in &boxes {

@@ -7,6 +7,7 @@ use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, Family, Panel 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
 use crate::geometry::sheet::{Spot, length};
+use crate::ink::elements::Disc;
 use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{
@@ -90,7 +91,7 @@ fn across(varied: [f64; 3], count: usize) -> (f64, Vec<f64>) {
 }
 
 fn draw_panel(
-    panel: &Panel<'_>,
+    panel: &mut Panel<'_>,
     family: &Family,
     shown: &FamilyPanel,
     count: usize,
@@ -123,7 +124,7 @@ fn draw_panel(
     for row in family.degenerate.iter().filter(infinite) {
         let (value, _) = across(row.varied, count);
         let [low, high] = shown.frame.y;
-        panel.line(&[(value, low), (value, high)], GUIDE);
+        panel.draw_series(panel.curve(&[(value, low), (value, high)], GUIDE))?;
     }
     // Curves for the first values of the other constants are drawn last, above the rest.
     let mut strands =
@@ -135,7 +136,7 @@ fn draw_panel(
     for (first, points) in &strands {
         let width = pen(Bifurcation::SaddleNode).width;
         let pen = Pen { colour: shade(&varied(first).1), width, dashes: &[], round: true };
-        let pieces = panel.line(points, pen);
+        let pieces = panel.draw_series(panel.curve(points, pen))?.pieces;
         pieces.iter().for_each(|piece| labels.placer.keep_off(piece));
         let best = pieces.into_iter().max_by(|a, b| length(a).total_cmp(&length(b)));
         longest.extend(best.map(|piece| (first.n, piece)));
@@ -145,8 +146,7 @@ fn draw_panel(
         let (value, other) = across(row.varied, count);
         let place = (value, up(row.secondary, row.c_sn, row.c_pd));
         if panel.frame.contains(place) {
-            let paint = Paint { colour: shade(&other), opacity: 1.0 };
-            panel.canvas.disc(panel.spot(place), MEMBER_RADIUS, paint, None);
+            panel.draw_series([Disc::new(place, MEMBER_RADIUS, Paint::opaque(shade(&other)), None)])?;
         }
     }
     if shown.shows == Shows::Secondary {
@@ -201,7 +201,7 @@ fn strands(
 /// Draws codimension-two points other than resonances, in the colour of the curve that ends on the GZ
 /// curve there; the point of each kind that is nearest to the middle of the panel is named.
 fn points(
-    panel: &Panel<'_>,
+    panel: &mut Panel<'_>,
     labels: &mut Labels<'_>,
     family: &Family,
     loops: u32,
@@ -224,9 +224,9 @@ fn points(
             | CodimensionTwo::PitchforkTorus
             | CodimensionTwo::TorusGrazing => Bifurcation::Torus,
         };
-        let spot = panel.spot((value, row.secondary));
-        let paint = Paint { colour: pale(pen(kind).colour, 0.35), opacity: 1.0 };
-        panel.canvas.disc(spot, 0.7 * POINT_RADIUS, paint, Some(POINT_RIM));
+        let place = (value, row.secondary);
+        let (spot, paint) = (panel.spot(place), Paint::opaque(pale(pen(kind).colour, 0.35)));
+        panel.draw_series([Disc::new(place, 0.7 * POINT_RADIUS, paint, Some(POINT_RIM))])?;
         labels.placer.avoid([spot].into_iter());
         match named.iter_mut().find(|(name, ..)| *name == row.kind) {
             Some((_, _, nearest)) if off(&spot) < off(nearest) => *nearest = spot,

@@ -16,7 +16,7 @@ use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
 use crate::plot::axes::{Heading, Panel};
-use crate::plot::kinds::{Area, Trace, TraceOf, draw_curves, draw_points, text_colour};
+use crate::plot::kinds::{Region, Trace, TraceOf, draw_curves, draw_points, text_colour};
 use crate::plot::magnified::panel_letter;
 use crate::plot::numbers::Decades;
 use crate::plot::panel_grid::{GridPanel, draw_panels};
@@ -107,7 +107,7 @@ pub fn draw_straightened(
         let grazing = vec![(0.0, panel.frame.y[0]), (0.0, panel.frame.y[1])];
         let grazing =
             Trace { kind: Bifurcation::NonImpactingGrazing, of: TraceOf::Bifurcation, points: grazing };
-        let at_grazing = draw_curves(panel, &mut labels, vec![grazing]);
+        let at_grazing = draw_curves(panel, &mut labels, vec![grazing])?;
         let mut named: Vec<(Bifurcation, String, Vec<Spot>)> = Vec::new();
         let curve = |a: &StraightenedPoint, b: &StraightenedPoint| (a.panel, a.arc) == (b.panel, b.arc);
         for rows in figure.curves.chunk_by(curve).filter(|rows| rows[0].panel == number) {
@@ -117,7 +117,7 @@ pub fn draw_straightened(
             let limit = [0.0, decades.at(rows[rows.len() - 1].eta)].map(|up| (rows[0].limit, up));
             let traces = [(TraceOf::Bifurcation, points), (TraceOf::Approximation, limit.to_vec())];
             let traces = traces.map(|(of, points)| Trace { kind, of, points });
-            let drawn = draw_curves(panel, &mut labels, traces.into());
+            let drawn = draw_curves(panel, &mut labels, traces.into())?;
             let longest = drawn.into_iter().max_by(|a, b| length(&a.1).total_cmp(&length(&b.1)));
             let of = if own { String::new() } else { format!(", $p={}$", rows[0].loops) };
             let label = format!("{}{of}", kind.name());
@@ -133,18 +133,18 @@ pub fn draw_straightened(
 }
 
 fn draw_panel(
-    panel: &Panel<'_>,
+    panel: &mut Panel<'_>,
     figure: &Magnifications,
     heading: &Heading<'_>,
     number: u32,
     look: &Look,
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    for region in Area::all(&figure.regions).into_iter().filter(|region| look.shows(region.kind)) {
-        region.draw(panel);
+    for region in Region::all(&figure.regions).into_iter().filter(|region| look.shows(region.kind)) {
+        region.draw(panel)?;
     }
-    let drawn = draw_curves(panel, &mut labels, curves(&figure.curves, number));
-    draw_points(panel, &mut labels, &figure.points);
+    let drawn = draw_curves(panel, &mut labels, curves(&figure.curves, number))?;
+    draw_points(panel, &mut labels, &figure.points)?;
     if look.names(Named::Curves) {
         labels.name_curves(drawn, LABELLED_LENGTH, &heading.names.grazing_title())?;
     }

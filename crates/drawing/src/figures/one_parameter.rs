@@ -9,6 +9,7 @@ use crate::error::DrawingError;
 use crate::geometry::clip::checked;
 use crate::geometry::sheet::Bounds;
 use crate::ink::canvas::Canvas;
+use crate::ink::elements::Stroke;
 use crate::ink::font::Fonts;
 use crate::ink::labels::Labels;
 use crate::ink::sheet::Sheet;
@@ -101,30 +102,26 @@ pub fn draw_one_parameter(
     let canvas = Canvas::new(width, (portraits_end + height) / POINTS_PER_MM)?;
     portraits.draw(&canvas)?;
     let top = portraits_end + if portraits.shown.is_empty() { ABOVE } else { LETTERS };
-    let panel = |frame, bounds| Panel {
-        tables,
-        only: Some(("diagram", figure.diagram)),
-        columns: columns.clone(),
-        ..Panel::new(&canvas, frame, bounds)
+    let panel = |(frame, bounds)| {
+        let only = Some(("diagram", figure.diagram));
+        Ok(Panel { tables, only, columns: columns.clone(), ..Panel::new(&canvas, frame, bounds)? })
     };
-    let panels: Vec<Panel<'_>> = bounds(&canvas, frame, magnified, [top, portraits_end], &up)?
-        .into_iter()
-        .map(|(frame, bounds)| panel(frame, bounds))
-        .collect();
-    let whole = &panels[0];
-    let guides = letters(whole, figure, &portraits.shown)?;
-    if let [_, part] = &panels[..] {
+    let panels = bounds(&canvas, frame, magnified, [top, portraits_end], &up)?.into_iter();
+    let mut panels: Vec<Panel<'_>> = panels.map(panel).collect::<Result<_, DrawingError>>()?;
+    let guides = letters(&panels[0], figure, &portraits.shown)?;
+    if let [whole, part] = &mut panels[..] {
         let outline = part.frame.outline();
-        whole.line(&outline, MAGNIFIER);
+        whole.draw_series(whole.curve(&outline, MAGNIFIER))?;
         // The line surrounds the panel, so that half of its width lies outside.
-        canvas.line(&outline.map(|corner| part.spot(corner)), MAGNIFIER_FRAME);
+        part.draw_series([Stroke::new(outline, MAGNIFIER_FRAME)])?;
     }
     let at = equation(&held, &plain(figure.at));
     let place = format!("{axis}  ({})", format!("{at} {unit}").trim_end());
     // The symbol of the primary parameter at grazing may differ from the one derived from its name.
     let grazing = if figure.primary_is_fixed { &own } else { names };
-    for (number, panel) in panels.iter().enumerate() {
-        let last = number + 1 == panels.len();
+    let count = panels.len();
+    for (number, panel) in panels.iter_mut().enumerate() {
+        let last = number + 1 == count;
         let mut labels = Labels::new(&canvas, panel.bounds);
         if number == 0 {
             guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));

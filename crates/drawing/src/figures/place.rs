@@ -11,7 +11,8 @@ use crate::error::DrawingError;
 use crate::geometry::clip::checked;
 use crate::geometry::sheet::Bounds;
 use crate::ink::canvas::{Anchor, Canvas};
-use crate::ink::legend::Sample;
+use crate::ink::elements::{Disc, Stroke};
+use crate::ink::legend;
 use crate::ink::markup::Label;
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, GREY, Paint, Pen, SMALL_LABEL_SIZE, SheetWidth, WALL, branch_pen};
@@ -85,8 +86,8 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
         let baseline = LINE * (k as f64 + 1.0);
         if let Some(one) = one {
             let (middle, pen) = (baseline - 0.3 * SMALL_LABEL_SIZE, pen(one, 2.0));
-            canvas.line(&[(LEFT, middle), (LEFT + SWATCH, middle)], pen);
-            canvas.explain(&one.words(), Sample::Line(pen));
+            canvas.draw(&Stroke::new([(LEFT, middle), (LEFT + SWATCH, middle)], pen))?;
+            canvas.explain(&one.words(), legend::line(pen))?;
         }
         canvas.label(
             (LEFT + SWATCH + 5.0, baseline),
@@ -117,8 +118,8 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let turns = turns.fold(SHORTEST, f64::max).min(LONGEST);
     let frame = checked(Frame { x: [0.0, turns], y: xs }, "a time series")?;
     let bounds = place(0.0, [0.0, 1.0], frame, &x)?;
-    let panel = Panel::new(&canvas, frame, bounds);
-    panel.line(&[(0.0, 0.0), (turns, 0.0)], WALL);
+    let mut panel = Panel::new(&canvas, frame, bounds)?;
+    panel.draw_series(panel.curve(&[(0.0, 0.0), (turns, 0.0)], WALL))?;
     for one in &figure.attractors {
         let own = || flights().filter(|points| points[0].attractor == one.attractor);
         let [mut from, mut to] = [f64::NAN; 2];
@@ -137,7 +138,9 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
                 let shifted = |point: &PlaceMotion| {
                     ((point.time - whole + f64::from(turn) * (to - from)) / figure.period, point.x)
                 };
-                panel.line(&points.iter().map(shifted).collect::<Vec<_>>(), pen(one, thin(one.attractor)));
+                let (points, pen): (Vec<_>, _) =
+                    (points.iter().map(shifted).collect(), pen(one, thin(one.attractor)));
+                panel.draw_series(panel.curve(&points, pen))?;
             }
         }
     }
@@ -146,17 +149,14 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let frame = checked(Frame { x: xs, y: ys }, "a phase portrait")?;
     let (row, columns) = beside(0.0);
     let only = Some(("place", figure.place));
-    let panel = Panel {
-        tables: &heading.tables[..1],
-        only,
-        ..Panel::new(&canvas, frame, place(row, columns, frame, &y)?)
-    };
-    panel.line(&[(0.0, ys[0]), (0.0, ys[1])], WALL);
+    let bounds = place(row, columns, frame, &y)?;
+    let mut panel = Panel { tables: &heading.tables[..1], only, ..Panel::new(&canvas, frame, bounds)? };
+    panel.draw_series(panel.curve(&[(0.0, ys[0]), (0.0, ys[1])], WALL))?;
     for points in flights() {
         let number = points[0].attractor;
         let Some(one) = figure.attractor(number) else { continue };
-        let pen = pen(one, thin(number));
-        panel.line(&points.iter().map(|point| (point.x, point.y)).collect::<Vec<_>>(), pen);
+        let points: Vec<_> = points.iter().map(|point| (point.x, point.y)).collect();
+        panel.draw_series(panel.curve(&points, pen(one, thin(number))))?;
     }
     panel.axes(&x, &y)?;
     // Impacts.
@@ -164,21 +164,13 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let top = if fastest > 0.0 { (1.0 + ROOM) * fastest } else { 1.0 };
     let frame = checked(Frame { x: [-PI, PI], y: [0.0, top] }, "the impacts")?;
     let (row, columns) = beside(1.0);
-    let panel = Panel {
-        tables: &heading.tables[1..2],
-        only,
-        ..Panel::new(&canvas, frame, place(row, columns, frame, &velocity)?)
-    };
-    for impact in &figure.impacts {
-        let Some(one) = figure.attractor(impact.attractor) else { continue };
-        let paint = Paint { colour: pen(one, 1.0).colour, opacity: 1.0 };
-        panel.canvas.disc(
-            panel.spot((impact.impact_phase, impact.impact_velocity.abs())),
-            IMPACT_RADIUS,
-            paint,
-            None,
-        );
-    }
+    let bounds = place(row, columns, frame, &velocity)?;
+    let mut panel = Panel { tables: &heading.tables[1..2], only, ..Panel::new(&canvas, frame, bounds)? };
+    panel.draw_series(figure.impacts.iter().filter_map(|impact| {
+        let paint = Paint::opaque(pen(figure.attractor(impact.attractor)?, 1.0).colour);
+        let at = (impact.impact_phase, impact.impact_velocity.abs());
+        Some(Disc::new(at, IMPACT_RADIUS, paint, None))
+    }))?;
     panel.axes("phase", &velocity)?;
     // Basins.
     let [phases, positions] = figure.lattice.map(f64::from);
@@ -188,11 +180,8 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let frame = checked(frame, "the basins")?;
     let (row, columns) = beside(2.0);
     let start = format!("initial {x}, at rest");
-    let panel = Panel {
-        tables: &heading.tables[2..],
-        only,
-        ..Panel::new(&canvas, frame, place(row, columns, frame, &start)?)
-    };
+    let bounds = place(row, columns, frame, &start)?;
+    let mut panel = Panel { tables: &heading.tables[2..], only, ..Panel::new(&canvas, frame, bounds)? };
     let half = [PI / phases, 0.5 * deepest.abs() / positions];
     for one in &figure.attractors {
         // States that have not settled have the number 0, too, and stay blank.
@@ -203,8 +192,8 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
             let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
             corners.map(|[across, up]| (z + across * half[0], x + up * half[1])).to_vec()
         };
-        panel
-            .area(&cells.map(ring).collect::<Vec<_>>(), Paint { colour: pen(one, 1.0).colour, opacity: 0.8 });
+        let paint = Paint { colour: pen(one, 1.0).colour, opacity: 0.8 };
+        panel.draw_series(panel.area(&cells.map(ring).collect::<Vec<_>>(), paint))?;
     }
     panel.axes("initial phase", &start)?;
     canvas.finish(heading.name, heading.title, heading.description)

@@ -12,6 +12,10 @@ pub(crate) fn in_hundredths((x, y): Spot) -> Hundredths {
     ((x * 100.0).round() as i32, (y * 100.0).round() as i32)
 }
 
+pub(crate) fn in_points((x, y): Hundredths) -> Spot {
+    (f64::from(x) / 100.0, f64::from(y) / 100.0)
+}
+
 pub(crate) fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
     spots.iter().map(|&spot| in_hundredths(spot)).collect()
 }

@@ -1,7 +1,9 @@
 //! Arrows: lines that end in a head, and heads along a curve.
 
+use crate::error::DrawingError;
 use crate::geometry::sheet::{Spot, along, distance};
 use crate::ink::canvas::Canvas;
+use crate::ink::elements::{Area, Stroke};
 use crate::ink::style::{Colour, Paint, Pen};
 
 /// The length of the head of a line one point wide, from its tip to its barbs, in points; it increases
@@ -16,45 +18,59 @@ fn head_length(pen: Pen) -> f64 {
 }
 
 /// Draws a head of a given length with its tip at a spot, pointing along a unit vector.
-fn arrowhead(canvas: &Canvas, tip: Spot, direction: Spot, size: f64, colour: Colour) {
+fn arrowhead(
+    canvas: &Canvas,
+    tip: Spot,
+    direction: Spot,
+    size: f64,
+    colour: Colour,
+) -> Result<(), DrawingError> {
     let at = |back: f64, aside: f64| {
         let (back, aside) = (back * size, aside * size);
         (tip.0 - back * direction.0 - aside * direction.1, tip.1 - back * direction.1 + aside * direction.0)
     };
     let (width, notch) = HEAD_SHAPE;
     let outline = [tip, at(1.0, 0.5 * width), at(1.0 - notch, 0.0), at(1.0, -0.5 * width)];
-    canvas.polygon(&outline, Paint { colour, opacity: 1.0 }, None);
+    canvas.draw(&Area::ring(outline, Paint::opaque(colour), None))
 }
 
 /// Draws a head with its middle at a fraction of a curve's length, pointing along the curve.
-pub fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) {
-    if let Some((middle, direction)) = along(curve, share) {
-        let size = head_length(pen);
-        let tip = (middle.0 + 0.5 * size * direction.0, middle.1 + 0.5 * size * direction.1);
-        arrowhead(canvas, tip, direction, size, pen.colour);
-    }
+///
+/// # Errors
+/// As [`Canvas::draw`].
+pub fn head_on(canvas: &Canvas, curve: &[Spot], share: f64, pen: Pen) -> Result<(), DrawingError> {
+    let Some((middle, direction)) = along(curve, share) else { return Ok(()) };
+    let size = head_length(pen);
+    let tip = (middle.0 + 0.5 * size * direction.0, middle.1 + 0.5 * size * direction.1);
+    arrowhead(canvas, tip, direction, size, pen.colour)
 }
 
 /// Draws a line with a head whose tip stops `short` of the line's end; nothing if the line is too short
 /// for a head.
-pub fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) {
+///
+/// # Errors
+/// As [`Canvas::draw`].
+pub fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) -> Result<(), DrawingError> {
     let size = head_length(pen);
     let to_tip = shortened(path, short);
     let shaft = shortened(&to_tip, (1.0 - HEAD_SHAPE.1) * size);
     let (Some(&tip), Some(&neck)) = (to_tip.last(), shaft.last()) else {
-        return;
+        return Ok(());
     };
-    canvas.line(&shaft, pen);
+    canvas.draw(&Stroke::new(shaft, pen))?;
     let length = distance(neck, tip);
     let direction = ((tip.0 - neck.0) / length, (tip.1 - neck.1) / length);
-    arrowhead(canvas, tip, direction, size, pen.colour);
+    arrowhead(canvas, tip, direction, size, pen.colour)
 }
 
 /// Draws a line with heads at both ends, as for a dimension.
-pub fn double_arrow(canvas: &Canvas, [from, to]: [Spot; 2], pen: Pen) {
+///
+/// # Errors
+/// As [`Canvas::draw`].
+pub fn double_arrow(canvas: &Canvas, [from, to]: [Spot; 2], pen: Pen) -> Result<(), DrawingError> {
     let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
-    arrow(canvas, &[middle, from], 0.0, pen);
-    arrow(canvas, &[middle, to], 0.0, pen);
+    arrow(canvas, &[middle, from], 0.0, pen)?;
+    arrow(canvas, &[middle, to], 0.0, pen)
 }
 
 /// The path without the last `by` points of its length; empty if it is not longer than that.
@@ -91,7 +107,7 @@ mod tests {
     #[test]
     fn an_arrow_is_a_shaft_and_a_head_that_stops_short_of_the_end() {
         let canvas = Canvas::new(40.0, 40.0).unwrap();
-        arrow(&canvas, &[(10.0, 20.0), (60.0, 20.0)], 2.0, RETURN);
+        arrow(&canvas, &[(10.0, 20.0), (60.0, 20.0)], 2.0, RETURN).unwrap();
         let svg = canvas.finish("test", "", "").unwrap().svg();
         let size = head_length(RETURN);
         let neck = points(58.0 - (1.0 - HEAD_SHAPE.1) * size);
@@ -103,7 +119,7 @@ mod tests {
     #[test]
     fn a_line_shorter_than_its_head_is_left_out() {
         let canvas = Canvas::new(40.0, 40.0).unwrap();
-        arrow(&canvas, &[(10.0, 20.0), (15.0, 20.0)], 2.0, RETURN);
+        arrow(&canvas, &[(10.0, 20.0), (15.0, 20.0)], 2.0, RETURN).unwrap();
         assert!(!canvas.finish("test", "", "").unwrap().svg().contains("<path"));
     }
 }

@@ -1,17 +1,22 @@
-//! The sheet on which a figure is drawn, in points from the top left corner.
+//! The sheet on which a figure is drawn, in points from the top left corner. Plots are drawn on it by
+//! plotters, whose backend it is.
 
 use std::cell::RefCell;
+use std::rc::Rc;
+
+use plotters::coord::CoordTranslate;
+use plotters::drawing::IntoDrawingArea;
+use plotters::element::{Drawable, PointCollection};
+use plotters_backend::BackendCoord;
 
 use crate::error::DrawingError;
-use crate::geometry::sheet::{Bounds, Hundredths, Spot, all_in_hundredths, in_hundredths};
+use crate::geometry::sheet::{Bounds, Hundredths, Spot, all_in_hundredths, in_hundredths, in_points};
 use crate::geometry::simplify::simplify;
 use crate::ink::font::{Extent, Fonts};
-use crate::ink::legend::Sample;
 use crate::ink::markup::Label;
-use crate::ink::measured::MeasuredMark;
 use crate::ink::sheet::{Element, Path, Sheet};
-use crate::ink::style::{Colour, LEADER, Paint, Pen, SIZE_LIMIT, hat_pen};
-use crate::ink::svg::{POINTS_PER_MM, fill, hex, hundredths, points, spans, stroke};
+use crate::ink::style::{Colour, LEADER, Pen, SIZE_LIMIT, hat_pen};
+use crate::ink::svg::{POINTS_PER_MM, hex, hundredths, path_data, points, spans, stroke};
 
 /// The point of its baseline by which a text is placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,20 +31,39 @@ pub enum Anchor {
     Upwards,
 }
 
-/// An unfinished sheet.
+/// An unfinished sheet, of which clones are further handles, as plotters takes its backend by value.
+#[derive(Clone)]
 pub struct Canvas {
     /// The fonts, with which labels are measured.
-    pub fonts: Fonts,
+    pub fonts: Rc<Fonts>,
     /// The width of the sheet, in points.
     pub width: f64,
     /// The height of the sheet, in points.
     pub height: f64,
+    drawn: Rc<Drawn>,
+}
+
+/// What has been drawn on a sheet.
+#[derive(Default)]
+struct Drawn {
     elements: RefCell<Vec<Element>>,
     /// Every label drawn so far, with the bounding box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
     /// The boxes to which lines are clipped.
     clips: RefCell<Vec<Bounds>>,
-    legend: RefCell<Vec<(String, Sample)>>,
+    /// Meanings, each with a drawn sample.
+    legend: RefCell<Vec<(String, String)>>,
+}
+
+/// The coordinates of a sheet: points from the top left corner.
+struct InPoints;
+
+impl CoordTranslate for InPoints {
+    type From = Spot;
+
+    fn translate(&self, spot: &Spot) -> BackendCoord {
+        in_hundredths(*spot)
+    }
 }
 
 impl Canvas {
@@ -49,21 +73,50 @@ impl Canvas {
     /// The embedded fonts cannot be read.
     pub fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
         let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
-        let (elements, texts, clips, legend) = Default::default();
-        Ok(Canvas { fonts: Fonts::load()?, width, height, elements, texts, clips, legend })
+        Ok(Canvas { fonts: Rc::new(Fonts::load()?), width, height, drawn: Rc::default() })
     }
 
-    /// Adds an entry to the legend, unless it exists: the meaning of objects drawn like the sample.
-    pub fn explain(&self, meaning: &str, sample: Sample) {
-        let mut legend = self.legend.borrow_mut();
-        if legend.iter().all(|(known, _)| known != meaning) {
-            legend.push((meaning.to_owned(), sample));
+    /// Draws an element of plotters whose coordinates are points from the top left corner.
+    ///
+    /// # Errors
+    /// A text cannot be set in the embedded fonts.
+    pub fn draw<E>(&self, element: &E) -> Result<(), DrawingError>
+    where
+        for<'e> &'e E: PointCollection<'e, Spot>,
+        E: Drawable<Canvas>,
+    {
+        Ok(self.clone().into_drawing_area().apply_coord_spec(InPoints).draw(element)?)
+    }
+
+    /// Adds an entry to the legend, unless it exists: the meaning of objects drawn like the sample, which is drawn from
+    /// the middle left of a box of 24 by 10 points, as plotters draws samples. Returns whether the entry is new.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw).
+    pub fn explain<E>(
+        &self,
+        meaning: &str,
+        sample: impl FnOnce(BackendCoord) -> E,
+    ) -> Result<bool, DrawingError>
+    where
+        for<'e> &'e E: PointCollection<'e, BackendCoord>,
+        E: Drawable<Canvas>,
+    {
+        if self.drawn.legend.borrow().iter().any(|(known, _)| known == meaning) {
+            return Ok(false);
         }
+        let before = self.drawn.elements.borrow().len();
+        self.clone().into_drawing_area().draw(&sample((0, 500)))?;
+        // The sample belongs to the legend, not to the sheet.
+        let sample = self.drawn.elements.borrow_mut().split_off(before);
+        let sample = sample.iter().map(|element| element.svg(path_data)).collect();
+        self.drawn.legend.borrow_mut().push((meaning.to_owned(), sample));
+        Ok(true)
     }
 
     /// Adds an element.
     pub(crate) fn add(&self, element: Element) {
-        self.elements.borrow_mut().push(element);
+        self.drawn.elements.borrow_mut().push(element);
     }
 
     /// Adds a path; consecutive spots that coincide in the file are written once.
@@ -75,27 +128,23 @@ impl Canvas {
         self.add(Element::Path(Path { pieces: pieces.into_iter().map(distinct).collect(), attributes }));
     }
 
-    /// Draws a line, closed if it ends where it begins; a line shorter than the resolution of print is
-    /// omitted.
-    pub fn line(&self, spots: &[Spot], pen: Pen) {
-        self.attributed_line(spots, stroke(Some(pen)));
-    }
-
     /// Draws the leader of a label.
     pub(crate) fn leader(&self, from: Spot, to: Spot) {
-        self.attributed_line(&[from, to], format!(" class=\"leader\"{}", stroke(Some(LEADER))));
+        self.line(&all_in_hundredths(&[from, to]), format!(" class=\"leader\"{}", stroke(Some(LEADER))));
     }
 
     /// Draws a line clipped so that no ink leaves a box.
-    pub(crate) fn line_within(&self, bounds: &Bounds, spots: &[Spot], pen: Pen) {
+    pub(crate) fn line_within(&self, bounds: &Bounds, spots: &[Hundredths], pen: Pen) {
         let reach = bounds.grown(-0.5 * pen.width);
-        let close = |&(x, y): &Spot| !reach.holds(&Bounds::about((x, y), 0.0, 0.0));
+        let close = |&spot: &Hundredths| !reach.holds(&Bounds::about(in_points(spot), 0.0, 0.0));
         let clip = if spots.iter().any(close) { self.clip(bounds) } else { String::new() };
-        self.attributed_line(spots, stroke(Some(pen)) + &clip);
+        self.line(spots, stroke(Some(pen)) + &clip);
     }
 
-    fn attributed_line(&self, spots: &[Spot], attributes: String) {
-        let mut path = simplify(&all_in_hundredths(spots));
+    /// Draws a line, closed if it ends where it begins; a line shorter than the resolution of print is
+    /// omitted.
+    pub(crate) fn line(&self, spots: &[Hundredths], attributes: String) {
+        let mut path = simplify(spots);
         let closed = path.len() > 3 && path.first() == path.last();
         if closed {
             path.pop();
@@ -107,7 +156,7 @@ impl Canvas {
 
     /// The attribute that clips an element to a box.
     fn clip(&self, bounds: &Bounds) -> String {
-        let mut clips = self.clips.borrow_mut();
+        let mut clips = self.drawn.clips.borrow_mut();
         let known = clips.iter().position(|known| known == bounds);
         let number = known.unwrap_or_else(|| {
             let Bounds { left, top, right, bottom } = *bounds;
@@ -122,58 +171,15 @@ impl Canvas {
         format!(" clip-path=\"url(#clip{number})\"")
     }
 
-    /// Draws a filled polygon, optionally with an outline.
-    pub fn polygon(&self, corners: &[Spot], paint: Paint, outline: Option<Pen>) {
-        self.path([(all_in_hundredths(corners), true)], fill(paint) + &stroke(outline));
-    }
-
-    /// Draws a filled area inside its rings by the even-odd rule.
-    pub(crate) fn area(&self, rings: &[Vec<Spot>], paint: Paint) {
-        let rings = rings.iter().map(|ring| (all_in_hundredths(ring), true));
-        self.path(rings, format!(" fill-rule=\"evenodd\"{}", fill(paint)));
-    }
-
-    /// Draws an element positioned at one spot, whose coordinates are passed to `write`.
-    fn draw_at(&self, spot: Spot, write: impl Fn(String, String) -> String) {
-        let (x, y) = in_hundredths(spot);
+    /// Adds an SVG element positioned at one spot, whose coordinates are passed to `write`.
+    pub(crate) fn add_at(&self, (x, y): Hundredths, write: impl Fn(String, String) -> String) {
         self.add(Element::Markup(write(hundredths(x), hundredths(y))));
     }
 
-    /// Draws a filled disc, optionally with an outline.
-    pub fn disc(&self, centre: Spot, radius: f64, paint: Paint, outline: Option<Pen>) {
-        let (r, fill, outline) = (points(radius), fill(paint), stroke(outline));
-        self.draw_at(centre, |x, y| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
-    }
-
-    /// Draws the mark of a measurement about a spot.
-    pub(crate) fn measured(&self, mark: MeasuredMark, centre: Spot) {
-        for (spots, closed, attributes) in mark.strokes(centre) {
-            self.path([(spots, closed)], attributes);
-        }
-    }
-
-    /// Draws squares of a given side on a grid with its top left corner at `corner`; `data` is path data
-    /// in units of the side.
-    pub(crate) fn bins(&self, corner: Spot, side: f64, data: &str, paint: Paint) {
-        let (side, colour, opacity) = (points(side), hex(paint.colour), points(paint.opacity));
-        self.draw_at(corner, |x, y| {
-            format!(
-                "<path transform=\"translate({x} {y}) scale({side})\" d=\"{data}\" stroke=\"{colour}\" \
-                 stroke-opacity=\"{opacity}\" stroke-width=\"1\"/>"
-            )
-        });
-    }
-
-    /// Draws cells of a given width and height like [`bins`](Self::bins), without seams: each slightly
-    /// overlaps those above and below.
-    pub(crate) fn cells(&self, corner: Spot, [across, up]: [f64; 2], data: &str, paint: Paint) {
-        let colour = hex(paint.colour);
-        self.draw_at(corner, |x, y| {
-            format!(
-                "<path transform=\"translate({x} {y}) scale({across} {up})\" d=\"{data}\" stroke=\"{colour}\" \
-                 stroke-width=\"1.06\" shape-rendering=\"crispEdges\"/>"
-            )
-        });
+    /// Draws a circle.
+    pub(crate) fn circle(&self, centre: Hundredths, radius: u32, attributes: &str) {
+        let r = hundredths(radius as i32);
+        self.add_at(centre, |x, y| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{attributes}/>"));
     }
 
     /// Draws a label with its baseline at the spot.
@@ -194,49 +200,63 @@ impl Canvas {
     /// Draws a parsed label with its baseline at the spot.
     pub(crate) fn label(
         &self,
-        (x, y): Spot,
+        spot: Spot,
         label: &Label,
         size: f64,
         anchor: Anchor,
         colour: Colour,
     ) -> Result<(), DrawingError> {
+        match anchor {
+            Anchor::Upwards => self.turned_label(spot, label, size, Anchor::Middle, colour, 3),
+            _ => self.turned_label(spot, label, size, anchor, colour, 0),
+        }
+    }
+
+    /// Draws a parsed label with its baseline at the spot, about which it is turned clockwise by quarters of a turn.
+    pub(crate) fn turned_label(
+        &self,
+        (x, y): Spot,
+        label: &Label,
+        size: f64,
+        anchor: Anchor,
+        colour: Colour,
+        turns: u8,
+    ) -> Result<(), DrawingError> {
         let extent @ Extent { width, ascent, descent } = self.fonts.measure(label, size)?;
         if label.runs.is_empty() {
             return Ok(());
         }
-        let (start, attributes) = match anchor {
-            Anchor::Start => (0.0, String::new()),
-            Anchor::Middle => (-0.5 * width, " text-anchor=\"middle\"".to_owned()),
-            Anchor::End => (-width, " text-anchor=\"end\"".to_owned()),
-            Anchor::Upwards => {
-                let turn = format!("transform=\"rotate(-90 {} {})\"", points(x), points(y));
-                (-0.5 * width, format!(" text-anchor=\"middle\" {turn}"))
+        let spare = extent.room() - width;
+        let (start, before, mut attributes) = match anchor {
+            Anchor::Start => (0.0, 0.0, String::new()),
+            Anchor::Middle | Anchor::Upwards => {
+                (-0.5 * width, 0.5 * spare, " text-anchor=\"middle\"".to_owned())
             }
+            Anchor::End => (-width, spare, " text-anchor=\"end\"".to_owned()),
         };
+        if turns > 0 {
+            let angle = [0, 90, 180, -90][usize::from(turns % 4)];
+            attributes += &format!(" transform=\"rotate({angle} {} {})\"", points(x), points(y));
+        }
         // The position at a distance along the baseline from the label's start, and at a distance below
         // the baseline.
-        let place = |along: f64, below: f64| match anchor {
-            Anchor::Upwards => (x + below, y - (start + along)),
-            _ => (x + (start + along), y + below),
+        let place = |along: f64, below: f64| match turns % 4 {
+            0 => (x + (start + along), y + below),
+            1 => (x - below, y + (start + along)),
+            2 => (x - (start + along), y - below),
+            _ => (x + below, y - (start + along)),
         };
-        let spare = extent.room() - width;
-        let before = match anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle | Anchor::Upwards => 0.5 * spare,
-            Anchor::End => spare,
-        };
-        let (a, b) = (place(-before, -ascent), place(width + spare - before, descent));
-        let taken =
-            Bounds { left: a.0.min(b.0), top: a.1.min(b.1), right: a.0.max(b.0), bottom: a.1.max(b.1) };
-        self.texts.borrow_mut().push((label.source.clone(), taken));
+        let corners = [place(-before, -ascent), place(width + spare - before, descent)];
+        self.drawn.texts.borrow_mut().push((label.source.clone(), Bounds::around(&corners)));
         let (fill, spans, height) = (hex(colour), spans(label, size), points(size));
-        self.draw_at((x, y), |x, y| {
+        self.add_at(in_hundredths((x, y)), |x, y| {
             format!(
                 "<text x=\"{x}\" y=\"{y}\" font-size=\"{height}\"{attributes} fill=\"{fill}\">{spans}</text>"
             )
         });
         for hat in self.fonts.hats(label, size)? {
-            self.line(&hat.map(|(right, down)| place(right, down)), hat_pen(size, colour));
+            let spots = all_in_hundredths(&hat.map(|(right, down)| place(right, down)));
+            self.line(&spots, stroke(Some(hat_pen(size, colour))));
         }
         Ok(())
     }
@@ -246,20 +266,25 @@ impl Canvas {
         Bounds { left: 0.0, top: 0.0, right: self.width, bottom: self.height }
     }
 
-    /// The finished figure, with this title and description.
+    /// The finished figure, with this title and description; an empty sheet is left.
     ///
     /// # Errors
     /// The figure exceeds the size limit.
-    pub fn finish(self, figure: &'static str, title: &str, description: &str) -> Result<Sheet, DrawingError> {
-        let legend = self.legend.into_inner().into_iter();
+    pub fn finish(
+        &self,
+        figure: &'static str,
+        title: &str,
+        description: &str,
+    ) -> Result<Sheet, DrawingError> {
+        self.drawn.clips.take();
         let [width, height] = [self.width, self.height].map(|length| (length * 100.0).round() / 100.0);
         let sheet = Sheet {
             title: title.to_owned(),
             description: description.to_owned(),
             size: (width, height),
-            elements: self.elements.into_inner(),
-            legend: legend.map(|(meaning, sample)| (meaning, sample.element())).collect(),
-            texts: self.texts.into_inner(),
+            elements: self.drawn.elements.take(),
+            legend: self.drawn.legend.take(),
+            texts: self.drawn.texts.take(),
         };
         let bytes = sheet.svg().len();
         if bytes > SIZE_LIMIT {
@@ -277,8 +302,8 @@ mod tests {
     #[test]
     fn a_line_that_shrinks_to_a_point_is_not_written() {
         let canvas = Canvas::new(10.0, 10.0).unwrap();
-        canvas.line(&[(1.0, 2.0), (1.0, 2.0)], FRAME);
-        canvas.line(&[(1.0, 2.0), (1.0, 2.0), (3.0, 2.0), (3.0, 2.0)], FRAME);
+        canvas.line(&[(100, 200), (100, 200)], stroke(Some(FRAME)));
+        canvas.line(&[(100, 200), (100, 200), (300, 200), (300, 200)], stroke(Some(FRAME)));
         let svg = canvas.finish("test", "", "").unwrap().svg();
         assert!(svg.contains("d=\"M1,2L3,2\"") && svg.matches("<path").count() == 1, "{svg}");
     }

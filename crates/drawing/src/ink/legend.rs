@@ -1,64 +1,48 @@
-//! Samples of drawn objects for legends. They are not drawn on the sheet; a figure carries its legend for
-//! programs that display it.
+//! Samples of drawn objects for legends, in a box of 24 by 10 points, as plotters asks for them: elements at the middle of
+//! the left side. They are not drawn on the sheet; a figure carries its legend for programs that display it.
 
-use crate::geometry::shapes::triangle;
-use crate::geometry::sheet::in_hundredths;
-use crate::ink::measured::MeasuredMark;
-use crate::ink::style::{DISC_RADIUS, HOLLOW, HOLLOW_RIM, MARKER, Paint, Pen, TRIANGLE_SIZE};
-use crate::ink::svg::{fill, path_data, points, stroke};
+use plotters::element::{DynElement, EmptyElement, IntoDynElement, Rectangle};
+use plotters_backend::BackendCoord;
 
-/// A sample of a drawn object.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Sample {
-    /// A line.
-    Line(Pen),
-    /// A filled area.
-    Area(Paint),
-    /// A hatched area.
-    Hatching(Pen),
-    /// The outline of a rectangle.
-    Rectangle(Pen),
-    /// A cloud of dots.
-    Dots(Paint),
-    /// The marker of a resonance.
-    Triangle,
-    /// The marker of another point.
-    Disc,
-    /// The marker of a curve's end.
-    Ring,
-    /// The mark of a measurement.
-    Measured(MeasuredMark),
+use crate::ink::canvas::Canvas;
+use crate::ink::elements::{Area, Disc, Filling, Stroke};
+use crate::ink::style::{Paint, Pen};
+
+/// The corners of a box whose left side has its middle here, this far from the sides of the sample, in hundredths of a point.
+fn corners((x, y): BackendCoord, beside: i32, above: i32) -> Vec<BackendCoord> {
+    let (left, right, top, bottom) = (x + beside, x + 2400 - beside, y - 500 + above, y + 500 - above);
+    vec![(left, top), (right, top), (right, bottom), (left, bottom)]
 }
 
-impl Sample {
-    /// The sample drawn in a box of 24 by 10 points.
-    pub(crate) fn element(self) -> String {
-        match self {
-            Sample::Line(pen) => format!("<path d=\"M0,5L24,5\"{}/>", stroke(Some(pen))),
-            Sample::Area(paint) => format!("<rect width=\"24\" height=\"10\"{}/>", fill(paint)),
-            Sample::Hatching(pen) => {
-                format!("<path d=\"M2,9L10,1M8,9L16,1M14,9L22,1\"{}/>", stroke(Some(pen)))
-            }
-            Sample::Rectangle(pen) => {
-                format!("<path d=\"M5,1L19,1L19,9L5,9Z\"{}/>", stroke(Some(pen)))
-            }
-            Sample::Dots(paint) => {
-                let dots = [(4, 3), (9, 7), (12, 4), (17, 5), (20, 8)];
-                let dot = |(x, y)| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"0.6\"{}/>", fill(paint));
-                dots.into_iter().map(dot).collect()
-            }
-            Sample::Triangle => {
-                let corners = triangle((12.0, 5.5), TRIANGLE_SIZE).map(in_hundredths);
-                format!("<path d=\"{}\"{}/>", path_data(&corners, true), fill(MARKER))
-            }
-            Sample::Ring => {
-                let (r, fill, rim) = (points(DISC_RADIUS), fill(HOLLOW), stroke(Some(HOLLOW_RIM)));
-                format!("<circle cx=\"12\" cy=\"5\" r=\"{r}\"{fill}{rim}/>")
-            }
-            Sample::Disc => {
-                format!("<circle cx=\"12\" cy=\"5\" r=\"{}\"{}/>", points(DISC_RADIUS), fill(MARKER))
-            }
-            Sample::Measured(mark) => mark.element(),
-        }
+/// A line.
+pub fn line(pen: Pen) -> impl Fn(BackendCoord) -> Stroke<BackendCoord> {
+    move |(x, y)| Stroke::new([(x, y), (x + 2400, y)], pen)
+}
+
+/// A filled area.
+pub fn area(paint: Paint) -> impl Fn(BackendCoord) -> Rectangle<BackendCoord> {
+    move |(x, y)| Rectangle::new([(x, y - 500), (x + 2400, y + 500)], paint)
+}
+
+/// A hatched area.
+pub fn hatching(pen: Pen) -> impl Fn(BackendCoord) -> Area<BackendCoord> {
+    move |at| Area::new(vec![corners(at, 0, 0)], Filling::Hatching(pen))
+}
+
+/// The outline of a rectangle.
+pub fn rectangle(pen: Pen) -> impl Fn(BackendCoord) -> Stroke<BackendCoord> {
+    move |at| {
+        let mut outline = corners(at, 500, 100);
+        outline.push(outline[0]);
+        Stroke::new(outline, pen)
+    }
+}
+
+/// A cloud of dots.
+pub fn dots(paint: Paint) -> impl Fn(BackendCoord) -> DynElement<'static, Canvas, BackendCoord> {
+    let dot = move |right, down| Disc::new((right, down), 0.6, paint, None);
+    move |at| {
+        let left = EmptyElement::at(at) + dot(400, -200) + dot(900, 200) + dot(1200, -100);
+        (left + dot(1700, 0) + dot(2000, 300)).into_dyn()
     }
 }

@@ -6,7 +6,7 @@ use grazing_results::Frame;
 
 use crate::geometry::sheet::{Bounds, Hundredths};
 #[cfg(test)]
-use crate::geometry::sheet::{Spot, cross};
+use crate::geometry::sheet::{Spot, cross, in_points};
 use crate::ink::font::style_sheet;
 use crate::ink::markup::unmarked;
 use crate::ink::svg::{POINTS_PER_MM, escape, hundredths, path_data, points};
@@ -145,7 +145,6 @@ impl Sheet {
     /// The leaders of labels, each from its label to what is named.
     #[cfg(test)]
     pub(crate) fn leaders(&self) -> Vec<(Spot, Spot)> {
-        let in_points = |(x, y): Hundredths| (f64::from(x) / 100.0, f64::from(y) / 100.0);
         let ends = |element: &Element| match element {
             Element::Path(Path { pieces, attributes }) if attributes.contains("class=\"leader\"") => {
                 Some((in_points(*pieces[0].0.first()?), in_points(*pieces[0].0.last()?)))
@@ -179,7 +178,7 @@ impl Sheet {
 
 impl Element {
     /// The element as SVG, with path data from `data`.
-    fn svg(&self, data: fn(&[Hundredths], bool) -> String) -> String {
+    pub(crate) fn svg(&self, data: fn(&[Hundredths], bool) -> String) -> String {
         match self {
             Self::Markup(text) => text.clone(),
             Self::Path(Path { pieces, attributes }) => {

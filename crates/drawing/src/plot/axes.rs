@@ -1,25 +1,28 @@
 //! A panel: a rectangle of data space mapped to one of the sheet, with border, ticks, numbers and axis
 //! titles.
 
-use plotters::coord::CoordTranslate;
+use core::borrow::Borrow;
+
+use plotters::chart::{ChartBuilder, ChartContext, SeriesAnno};
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::coord::types::RangedCoordf64;
+use plotters::drawing::IntoDrawingArea;
+use plotters::element::{Drawable, IntoDynElement, PointCollection};
+use plotters_backend::BackendCoord;
 
 use grazing_results::{Frame, Names};
 
 use crate::error::DrawingError;
-use crate::geometry::clip::{clip_polygon, clip_polyline, hatching};
-use crate::geometry::shapes::{star, triangle};
-use crate::geometry::sheet::{Bounds, Spot, in_hundredths};
+use crate::geometry::clip::{clip_polygon, clip_polyline};
+use crate::geometry::sheet::{Bounds, Spot, in_hundredths, in_points};
 use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::elements::{Area, Filling, Stroke};
 use crate::ink::font::Fonts;
 use crate::ink::labels::Labels;
+use crate::ink::markers::Marker;
 use crate::ink::markup::Label;
 use crate::ink::sheet::{Element, PanelMark};
-use crate::ink::style::{
-    BLACK, DISC_RADIUS, FRAME, HATCHING, HOLLOW, HOLLOW_RIM, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint,
-    Pen, STAR_RADIUS, TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
-};
+use crate::ink::style::{BLACK, FRAME, MINOR_TICK_LENGTH, Pen, TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE};
 use crate::plot::numbers::{Decades, Direction, Numbers};
 
 /// The names, title and description of a figure of panels.
@@ -37,7 +40,7 @@ pub struct Heading<'a> {
     pub tables: &'a [&'static str],
 }
 
-/// A rectangle of data space mapped to one of the sheet.
+/// A rectangle of data space mapped to one of the sheet: a chart of plotters, with a frame of ours.
 pub struct Panel<'c> {
     /// The sheet.
     pub canvas: &'c Canvas,
@@ -56,23 +59,44 @@ pub struct Panel<'c> {
     pub numbers_beside: bool,
     /// The decades of the vertical axis, if its coordinate is a position on such an axis.
     pub(crate) decades: Option<Decades>,
+    /// The chart of plotters that the panel is.
+    pub chart: Chart,
 }
 
-/// The kinds of markers in the paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Marker {
-    /// A resonance.
-    Triangle,
-    /// Any other codimension-two point.
-    Disc,
-    /// A point of another figure.
-    Star,
-    /// The end of a curve that was followed no further.
-    Ring,
+/// A chart of plotters on a sheet.
+type Chart = ChartContext<'static, Canvas, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// A series that has been drawn: plotters' annotation of it, and its place on the sheet.
+pub struct Series<'p> {
+    canvas: &'p Canvas,
+    annotation: &'p mut SeriesAnno<'static, Canvas>,
+    meaning: String,
+    /// The spots of each element.
+    pub pieces: Vec<Vec<Spot>>,
 }
 
-/// The room for the rim of a marker, in points.
-const RIM: f64 = 0.5;
+impl Series<'_> {
+    /// The meaning of the series for the legend, in words with formulas between dollars.
+    pub fn label(self, meaning: &str) -> Self {
+        Series { meaning: meaning.to_owned(), ..self }
+    }
+
+    /// Adds the label with its sample to the legend of the sheet, unless it is known or the series is empty, and to what
+    /// the chart's `configure_series_labels` draws.
+    ///
+    /// # Errors
+    /// As [`Canvas::draw`].
+    pub fn legend<E>(self, sample: impl Fn(BackendCoord) -> E + 'static) -> Result<Self, DrawingError>
+    where
+        E: IntoDynElement<'static, Canvas, BackendCoord>,
+    {
+        if !self.pieces.is_empty() && self.canvas.explain(&self.meaning, |at| sample(at).into_dyn())? {
+            self.annotation.label(self.meaning.clone()).legend(sample);
+        }
+        Ok(self)
+    }
+}
+
 /// The gap between ticks, numbers and titles, in points.
 const TICK_GAP: f64 = 2.5;
 /// Titles of vertical axes that are wider than this (points) are rotated to read upwards.
@@ -84,21 +108,30 @@ const LEAST_TITLE_SIZE: f64 = 6.5;
 
 impl<'c> Panel<'c> {
     /// A panel without tables.
-    pub fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Self {
+    ///
+    /// # Errors
+    /// As [`Canvas::draw`].
+    pub fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Result<Self, DrawingError> {
+        let (left, top) = in_hundredths((bounds.left, bounds.top));
+        let (right, bottom) = in_hundredths((bounds.right, bounds.bottom));
+        // A chart leaves out the last unit in both directions.
+        let area =
+            canvas.clone().into_drawing_area().shrink((left, top), (right - left + 1, bottom - top + 1));
+        let Frame { x: [first, last], y: [low, high] } = frame;
+        let chart = ChartBuilder::on(&area).build_cartesian_2d(first..last, low..high)?;
         let (tables, only, columns): (&[_], _, _) = (&[], None, None);
-        Panel { canvas, frame, bounds, tables, only, columns, numbers_beside: true, decades: None }
+        Ok(Panel { canvas, frame, bounds, tables, only, columns, numbers_beside: true, decades: None, chart })
     }
 
     /// The position of a data point on the sheet, truncated to whole hundredths of a point from the lower
     /// left corner.
     pub fn spot(&self, point: (f64, f64)) -> Spot {
-        let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
-        let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
-        let Frame { x: [first, last], y: [low, high] } = self.frame;
-        let axes: Cartesian2d<RangedCoordf64, RangedCoordf64> =
-            Cartesian2d::new(first..last, low..high, (left..right, bottom..top));
-        let (x, y) = axes.translate(&point);
-        (f64::from(x) / 100.0, f64::from(y) / 100.0)
+        in_points(self.chart.backend_coord(&point))
+    }
+
+    /// The positions of data points on the sheet.
+    pub fn spots(&self, points: &[(f64, f64)]) -> Vec<Spot> {
+        points.iter().map(|&point| self.spot(point)).collect()
     }
 
     /// The data point at a position on the sheet.
@@ -110,88 +143,56 @@ impl<'c> Panel<'c> {
         (value(across, first, last), value(up, low, high))
     }
 
-    fn spots(&self, points: &[(f64, f64)]) -> Vec<Spot> {
-        points.iter().map(|&point| self.spot(point)).collect()
+    /// Draws a series of elements as `ChartContext::draw_series` does, which draws points beyond the frame at its edge:
+    /// [`curve`](Self::curve) and [`area`](Self::area) clip what they are given.
+    ///
+    /// # Errors
+    /// As [`Canvas::draw`].
+    pub fn draw_series<E>(&mut self, series: impl IntoIterator<Item = E>) -> Result<Series<'_>, DrawingError>
+    where
+        for<'e> &'e E: PointCollection<'e, (f64, f64)>,
+        E: Drawable<Canvas>,
+    {
+        let elements: Vec<E> = series.into_iter().collect();
+        let spots =
+            |element: &E| element.point_iter().into_iter().map(|point| self.spot(*point.borrow())).collect();
+        let pieces = elements.iter().map(spots).collect();
+        let annotation = self.chart.draw_series(elements)?;
+        Ok(Series { canvas: self.canvas, annotation, meaning: String::new(), pieces })
     }
 
-    /// Draws a polyline, clipped to the frame with all of its ink; returns its pieces on the sheet.
-    pub fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
-        let pieces: Vec<_> =
-            clip_polyline(&self.frame, points).iter().map(|piece| self.spots(piece)).collect();
-        pieces.iter().for_each(|piece| self.canvas.line_within(&self.bounds, piece, pen));
-        pieces
+    /// A curve as lines, clipped to the frame with all of their ink.
+    pub fn curve(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Stroke<(f64, f64)>> {
+        let pieces = clip_polyline(&self.frame, points).into_iter();
+        pieces.map(|piece| Stroke::new(piece, pen).within(self.bounds)).collect()
     }
 
-    /// Draws a filled polygon, clipped to the frame; returns its outline on the sheet if any of it is
-    /// visible.
-    pub fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
-        let clipped = clip_polygon(&self.frame, vertices);
-        if clipped.len() < 3 {
-            return Vec::new();
-        }
-        let outline = self.spots(&clipped);
-        self.canvas.polygon(&outline, paint, None);
-        outline
+    /// The area inside rings by the even-odd rule, clipped to the frame; none if nothing of its only ring is visible.
+    pub fn area(&self, rings: &[Vec<(f64, f64)>], filling: impl Into<Filling>) -> Option<Area<(f64, f64)>> {
+        let rings: Vec<_> = rings.iter().map(|ring| clip_polygon(&self.frame, ring)).collect();
+        let visible = rings.len() > 1 || rings.iter().any(|ring| ring.len() > 2);
+        visible.then(|| Area::new(rings, filling))
     }
 
-    /// Draws an area filled by the even-odd rule, clipped to the frame; returns its first ring on the
-    /// sheet if any of it is visible.
-    pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Vec<Spot> {
-        match rings {
-            [] => Vec::new(),
-            [border] => self.fill(border, paint),
-            _ => {
-                let mut rings = self.clipped(rings);
-                self.canvas.area(&rings, paint);
-                rings.swap_remove(0)
-            }
-        }
-    }
-
-    /// Hatches the area inside rings by the even-odd rule.
-    pub(crate) fn hatch(&self, rings: &[Vec<(f64, f64)>], pen: Pen) {
-        for line in hatching(&self.clipped(rings), HATCHING) {
-            self.canvas.line(&line, pen);
-        }
-    }
-
-    /// The parts of rings within the frame, on the sheet.
-    fn clipped(&self, rings: &[Vec<(f64, f64)>]) -> Vec<Vec<Spot>> {
-        rings.iter().map(|ring| self.spots(&clip_polygon(&self.frame, ring))).collect()
-    }
-
-    /// Draws a marker if its point is in the frame, and makes labels avoid it; returns its box, the rim
-    /// included.
-    pub fn marker(&self, labels: &mut Labels<'_>, point: (f64, f64), marker: Marker) -> Option<Bounds> {
-        if !self.frame.contains(point) {
-            return None;
-        }
-        let (canvas, centre) = (self.canvas, self.spot(point));
-        let size = match marker {
-            Marker::Triangle => {
-                canvas.polygon(&triangle(centre, TRIANGLE_SIZE), MARKER, Some(MARKER_RIM));
-                TRIANGLE_SIZE
-            }
-            Marker::Disc => {
-                canvas.disc(centre, DISC_RADIUS, MARKER, Some(MARKER_RIM));
-                2.0 * DISC_RADIUS
-            }
-            Marker::Ring => {
-                canvas.disc(centre, DISC_RADIUS, HOLLOW, Some(HOLLOW_RIM));
-                2.0 * DISC_RADIUS
-            }
-            Marker::Star => {
-                canvas.polygon(&star(centre, STAR_RADIUS), MARKER, Some(MARKER_RIM));
-                2.0 * STAR_RADIUS
-            }
-        };
-        let taken = Bounds::about(centre, size, size).grown(RIM);
-        labels.placer.block(taken);
-        Some(taken)
+    /// Draws markers at the points that are in the frame, and makes labels avoid them.
+    ///
+    /// # Errors
+    /// As [`Canvas::draw`].
+    pub fn mark(
+        &mut self,
+        labels: &mut Labels<'_>,
+        points: impl IntoIterator<Item = (f64, f64)>,
+        marker: Marker,
+    ) -> Result<Series<'_>, DrawingError> {
+        let frame = self.frame;
+        let visible = points.into_iter().filter(|point| frame.contains(*point));
+        let drawn = self.draw_series(visible.map(|point| marker.at(point)))?;
+        drawn.pieces.iter().flatten().for_each(|spot| labels.placer.block(marker.around(*spot)));
+        Ok(drawn)
     }
 
     /// Adds the mark that describes the position and contents of the panel.
-    fn mark(&self, titles: [&str; 2]) {
+    fn mark_frame(&self, titles: [&str; 2]) {
         let Panel { frame, bounds, only, .. } = *self;
         let (tables, titles, columns) =
             (self.tables.to_vec(), titles.map(str::to_owned), self.columns.clone());
@@ -202,36 +203,34 @@ impl<'c> Panel<'c> {
     /// Draws border, outward ticks, numbers and axis titles; an empty title is omitted.
     pub fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
         let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
-        self.mark([x_title, y_title]);
-        canvas.line(
-            &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)],
-            FRAME,
-        );
+        self.mark_frame([x_title, y_title]);
+        let outline = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
+        canvas.draw(&Stroke::new(outline, FRAME))?;
         let x_numbers = Numbers::along(&canvas.fonts, self.frame.x, right - left, Direction::Across)?;
         let y_numbers = Numbers::up(&canvas.fonts, self.frame.y, bottom - top, self.decades)?;
         let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
         let x_tick = |value: f64, length: f64| {
             let (x, _) = self.spot((value, self.frame.y[0]));
-            canvas.line(&[(x, bottom), (x, bottom + length)], TICK);
-            (x, baseline)
+            canvas.draw(&Stroke::new([(x, bottom), (x, bottom + length)], TICK))?;
+            Ok::<_, DrawingError>((x, baseline))
         };
         let y_tick = |value: f64, length: f64| {
             let (_, y) = self.spot((self.frame.x[0], value));
-            canvas.line(&[(left, y), (left - length, y)], TICK);
-            (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE)
+            canvas.draw(&Stroke::new([(left, y), (left - length, y)], TICK))?;
+            Ok::<_, DrawingError>((left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE))
         };
         for minor in &x_numbers.minor {
-            x_tick(*minor, MINOR_TICK_LENGTH);
+            x_tick(*minor, MINOR_TICK_LENGTH)?;
         }
         for tick in &x_numbers.ticks {
-            canvas.text(x_tick(tick.value, TICK_LENGTH), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
+            canvas.text(x_tick(tick.value, TICK_LENGTH)?, &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
         }
         for minor in &y_numbers.minor {
-            y_tick(*minor, MINOR_TICK_LENGTH);
+            y_tick(*minor, MINOR_TICK_LENGTH)?;
         }
         let reach = if self.numbers_beside { y_numbers.width } else { 0.0 };
         for tick in &y_numbers.ticks {
-            let spot = y_tick(tick.value, TICK_LENGTH);
+            let spot = y_tick(tick.value, TICK_LENGTH)?;
             if self.numbers_beside {
                 canvas.text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
             }
@@ -301,9 +300,9 @@ mod tests {
             tables: &["points", "curves"],
             only: Some(("panel", 2)),
             columns: names.columns(),
-            ..Panel::new(&canvas, Frame { x: [-0.5, 1.25], y: [0.0, 3.0] }, bounds)
+            ..Panel::new(&canvas, Frame { x: [-0.5, 1.25], y: [0.0, 3.0] }, bounds).unwrap()
         };
-        panel.mark(titles);
+        panel.mark_frame(titles);
         let svg = canvas.finish("test", "", "").unwrap().svg();
         svg.lines().find(|line| line.contains("panel")).unwrap().to_owned()
     }

@@ -2,15 +2,18 @@
 
 use core::cmp::Reverse;
 
+use plotters::element::EmptyElement;
+
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::readings::Sweep;
 use grazing_results::{Names, Stability};
 
 use crate::error::DrawingError;
-use crate::geometry::sheet::{Bounds, Spot, length, near};
+use crate::geometry::sheet::{Bounds, Spot, all_in_hundredths, length, near};
+use crate::ink::elements::{Disc, Stroke};
 use crate::ink::labels::{Labels, Site};
-use crate::ink::legend::Sample;
+use crate::ink::legend;
 use crate::ink::style::{
     CLOUD, LABEL_SIZE, NEUTRAL_DASHES, NEUTRAL_WIDTH, POINT_RADIUS, POINT_RIM, Paint, Pen, SMALL_LABEL_SIZE,
     STABLE_WIDTH, SWEEP_DOWN, SWEEP_SIZE, SWEEP_UP, THRESHOLD, UNSTABLE_WIDTH, branch_pen,
@@ -25,25 +28,27 @@ const NAMED_DOTS: usize = 40;
 /// Draws branches, attractor and bifurcations of one panel, with their labels. Consecutive points with
 /// equal p and branch are a strand: one loop of a solution as the parameter changes.
 pub(crate) fn diagram(
-    panel: &Panel<'_>,
+    panel: &mut Panel<'_>,
     mut labels: Labels<'_>,
     figure: &OneParameter,
     names: &Names,
     every_loop: bool,
 ) -> Result<(), DrawingError> {
-    for level in panel.line(&[(panel.frame.x[0], 0.0), (panel.frame.x[1], 0.0)], THRESHOLD) {
+    let zero = panel.curve(&[(panel.frame.x[0], 0.0), (panel.frame.x[1], 0.0)], THRESHOLD);
+    for level in panel.draw_series(zero)?.pieces {
         labels.placer.keep_off_nameless(&level);
     }
     let cloud: Vec<(f64, f64)> =
         figure.attractor.iter().map(|point| (figure.across(point), point.x)).collect();
-    draw_cloud(panel, &cloud);
+    draw_cloud(panel, &cloud)?;
     for (sweep, pen, reach) in [(Sweep::Up, SWEEP_UP, -SWEEP_SIZE), (Sweep::Down, SWEEP_DOWN, SWEEP_SIZE)] {
-        for point in figure.swept(sweep).filter(|point| panel.frame.contains(*point)) {
-            let (x, y) = panel.spot(point);
-            // An arrowhead that points up or down.
-            panel.canvas.line(&[(x - SWEEP_SIZE, y), (x, y + reach), (x + SWEEP_SIZE, y)], pen);
-            panel.canvas.explain(&format!("sweep {}", sweep.name()), Sample::Line(pen));
-        }
+        let frame = panel.frame;
+        let seen = figure.swept(sweep).filter(|point| frame.contains(*point));
+        // An arrowhead that points up or down.
+        let head = [(-SWEEP_SIZE, 0.0), (0.0, reach), (SWEEP_SIZE, 0.0)];
+        let heads = seen.map(|point| EmptyElement::at(point) + Stroke::new(all_in_hundredths(&head), pen));
+        let meaning = format!("sweep {}", sweep.name());
+        panel.draw_series(heads)?.label(&meaning).legend(legend::line(pen))?;
     }
     // The pieces of each p.
     let mut pieces: Vec<(u32, Vec<Vec<Spot>>)> = Vec::new();
@@ -53,7 +58,7 @@ pub(crate) fn diagram(
     strands.sort_by_key(|strand| Reverse(strand[0].loops));
     for strand in strands {
         let p = strand[0].loops;
-        for piece in strand_pieces(panel, figure, strand) {
+        for piece in strand_pieces(panel, figure, strand)? {
             labels.placer.keep_off(&piece);
             match pieces.iter_mut().find(|(known, _)| *known == p) {
                 Some((_, known)) => known.push(piece),
@@ -66,7 +71,7 @@ pub(crate) fn diagram(
         own.sort_by(|a, b| length(b).total_cmp(&length(a)));
     }
     for (p, _) in pieces.iter().filter(|(p, _)| *p > 0) {
-        panel.canvas.explain(&format!("$p={p}$"), Sample::Line(branch_pen(*p, STABLE_WIDTH)));
+        panel.canvas.explain(&format!("$p={p}$"), legend::line(branch_pen(*p, STABLE_WIDTH)))?;
     }
     let dots: Vec<Spot> =
         cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)).collect();
@@ -79,10 +84,10 @@ pub(crate) fn diagram(
         .map(|found| (found.kind, found.loops, (figure.across(found), found.x)))
         .filter(|(_, _, point)| panel.frame.contains(*point))
         .collect();
-    for &(kind, _, point) in &visible {
-        let spot = panel.spot(point);
-        let paint = Paint { colour: pen(kind).colour, opacity: 1.0 };
-        panel.canvas.disc(spot, POINT_RADIUS, paint, Some(POINT_RIM));
+    let disc = |&(kind, _, point): &(Bifurcation, u32, (f64, f64))| {
+        Disc::new(point, POINT_RADIUS, Paint::opaque(pen(kind).colour), Some(POINT_RIM))
+    };
+    for spot in panel.draw_series(visible.iter().map(disc))?.pieces.concat() {
         labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
     }
     for &(kind, p, point) in &visible {
@@ -113,7 +118,11 @@ pub(crate) fn diagram(
 
 /// Draws a strand, thick where stable, thin where unstable and broken where neutral, with gaps only where it
 /// is inadmissible; returns the drawn pieces.
-fn strand_pieces(panel: &Panel<'_>, figure: &OneParameter, strand: &[BranchPoint]) -> Vec<Vec<Spot>> {
+fn strand_pieces(
+    panel: &mut Panel<'_>,
+    figure: &OneParameter,
+    strand: &[BranchPoint],
+) -> Result<Vec<Vec<Spot>>, DrawingError> {
     let place = |point: &BranchPoint| match point.admissible {
         true => (figure.across(point), point.x),
         false => (f64::NAN, f64::NAN),
@@ -127,13 +136,13 @@ fn strand_pieces(panel: &Panel<'_>, figure: &OneParameter, strand: &[BranchPoint
             Stability::Unstable => branch_pen(loops, UNSTABLE_WIDTH),
             Stability::Neutral => Pen { dashes: NEUTRAL_DASHES, ..branch_pen(loops, NEUTRAL_WIDTH) },
         };
-        panel.canvas.explain(stable.name(), Sample::Line(pen(0)));
+        panel.canvas.explain(stable.name(), legend::line(pen(0)))?;
         let end = start + run.len();
         let points: Vec<_> = strand[start..(end + 1).min(strand.len())].iter().map(place).collect();
-        pieces.extend(panel.line(&points, pen(loops)));
+        pieces.extend(panel.draw_series(panel.curve(&points, pen(loops)))?.pieces);
         start = end;
     }
-    pieces
+    Ok(pieces)
 }
 
 #[cfg(test)]
@@ -150,7 +159,7 @@ mod tests {
         let canvas = Canvas::new(100.0, 100.0).unwrap();
         let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
         let frame = Frame { x: [0.0, 3.0], y: [-1.0, 1.0] };
-        let panel = Panel::new(&canvas, frame, bounds);
+        let mut panel = Panel::new(&canvas, frame, bounds).unwrap();
         let point = |(primary, x, stable): (f64, f64, Stability)| BranchPoint {
             diagram: 1,
             loops: 2,
@@ -167,7 +176,7 @@ mod tests {
         let [stable, neutral, unstable] = [true.into(), Stability::Neutral, false.into()];
         let strand = [(0.0, 0.0, unstable), (1.0, 0.1, unstable), (2.0, 0.4, neutral), (2.5, 0.6, stable)];
         let strand = strand.into_iter().chain([(3.0, 0.9, stable)]).map(point).collect::<Vec<_>>();
-        let pieces = strand_pieces(&panel, &empty(frame), &strand);
+        let pieces = strand_pieces(&mut panel, &empty(frame), &strand).unwrap();
         assert_eq!(panel_points(&pieces), [3, 2, 2]);
         assert!(pieces.windows(2).all(|pair| pair[0].last() == pair[1].first()));
         let sheet = canvas.finish("test", "", "").unwrap();

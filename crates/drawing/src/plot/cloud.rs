@@ -4,19 +4,44 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use crate::geometry::sheet::Bounds;
-use crate::ink::legend::Sample;
-use crate::ink::style::{CLOUD, CLOUD_BIN, Colour, Paint};
+use crate::error::DrawingError;
+use crate::geometry::sheet::{Bounds, Hundredths};
+use crate::ink::canvas::Canvas;
+use crate::ink::elements::{Ink, Shape};
+use crate::ink::legend::dots;
+use crate::ink::style::{CLOUD, CLOUD_BIN, Colour};
+use crate::ink::svg::{hex, points};
 use crate::plot::axes::Panel;
 
 /// The meaning of a cloud in the legend.
 pub(crate) const LONG_TIME: &str = "long-time behaviour";
 
+/// The ink of bins of a grid: strokes in units of the size of a bin, from the corner of the grid.
+struct Bins {
+    /// The width and height of a bin, in points.
+    scale: String,
+    data: String,
+    attributes: String,
+}
+
+impl Ink for Bins {
+    fn draw(&self, rings: Vec<Vec<Hundredths>>, canvas: &Canvas) {
+        let Bins { scale, data, attributes } = self;
+        let path = |x, y| {
+            format!("<path transform=\"translate({x} {y}) scale({scale})\" d=\"{data}\" {attributes}/>")
+        };
+        rings.iter().flatten().for_each(|corner| canvas.add_at(*corner, path));
+    }
+}
+
 /// Draws the points within the frame as squares of `CLOUD_BIN` points, darker where several points share
 /// a bin.
-pub fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
+///
+/// # Errors
+/// As [`Canvas::draw`].
+pub fn draw_cloud(panel: &mut Panel<'_>, cloud: &[(f64, f64)]) -> Result<(), DrawingError> {
     let mut counts: BTreeMap<(i64, i64), u32> = BTreeMap::new();
-    for &point in points.iter().filter(|&&p| panel.frame.contains(p)) {
+    for &point in cloud.iter().filter(|&&p| panel.frame.contains(p)) {
         let (x, y) = panel.spot(point);
         let column = ((x - panel.bounds.left) / CLOUD_BIN).floor() as i64;
         let row = ((y - panel.bounds.top) / CLOUD_BIN).floor() as i64;
@@ -27,22 +52,37 @@ pub fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
         2..=3 => 1,
         _ => 2,
     };
-    for (level, paint) in CLOUD.iter().enumerate() {
+    let corner = (panel.frame.x[0], panel.frame.y[1]);
+    let shades = CLOUD.iter().enumerate().filter_map(|(level, paint)| {
         let bins: Vec<(i64, i64)> = counts.iter().filter(|c| shade(*c.1) == level).map(|c| *c.0).collect();
-        if !bins.is_empty() {
-            panel.canvas.explain(LONG_TIME, Sample::Dots(CLOUD[2]));
-            let corner = (panel.bounds.left, panel.bounds.top);
-            panel.canvas.bins(corner, CLOUD_BIN, &path_of_bins(&bins), *paint);
-        }
-    }
+        let (colour, opacity) = (hex(paint.colour), points(paint.opacity));
+        let attributes = format!("stroke=\"{colour}\" stroke-opacity=\"{opacity}\" stroke-width=\"1\"");
+        let ink = Bins { scale: points(CLOUD_BIN), data: path_of_bins(&bins), attributes };
+        (!bins.is_empty()).then(|| Shape::at(corner, ink))
+    });
+    panel.draw_series(shades)?.label(LONG_TIME).legend(dots(CLOUD[2]))?;
+    Ok(())
 }
 
 /// Fills cells (row, column) of a grid over the panel with these numbers of columns and rows, rows
-/// counted from the top; cells must be sorted.
-pub fn draw_cells(panel: &Panel<'_>, [columns, rows]: [u32; 2], cells: &[(i64, i64)], colour: Colour) {
+/// counted from the top, without seams: each slightly overlaps those above and below. Cells must be sorted.
+///
+/// # Errors
+/// As [`Canvas::draw`].
+pub fn draw_cells(
+    panel: &mut Panel<'_>,
+    [columns, rows]: [u32; 2],
+    cells: &[(i64, i64)],
+    colour: Colour,
+) -> Result<(), DrawingError> {
     let Bounds { left, top, right, bottom } = panel.bounds;
-    let size = [(right - left) / f64::from(columns), (bottom - top) / f64::from(rows)];
-    panel.canvas.cells((left, top), size, &path_of_bins(cells), Paint::opaque(colour));
+    let [across, up] = [(right - left) / f64::from(columns), (bottom - top) / f64::from(rows)];
+    let attributes =
+        format!("stroke=\"{}\" stroke-width=\"1.06\" shape-rendering=\"crispEdges\"", hex(colour));
+    let corner = (panel.frame.x[0], panel.frame.y[1]);
+    let ink = Bins { scale: format!("{across} {up}"), data: path_of_bins(cells), attributes };
+    panel.draw_series([Shape::at(corner, ink)])?;
+    Ok(())
 }
 
 /// Path data that strokes each bin (row, column) by a horizontal line through its middle; bins must be

@@ -7,14 +7,15 @@ use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
 use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SequenceVertex, SpecialPoint};
 
 use crate::error::DrawingError;
-use crate::geometry::sheet::{Bounds, Spot, along, length, near};
+use crate::geometry::sheet::{Spot, along, length, near};
+use crate::ink::elements::Filling;
 use crate::ink::labels::{Labels, Site};
-use crate::ink::legend::Sample;
+use crate::ink::legend;
+use crate::ink::markers::Marker;
 use crate::ink::style::{
-    BLACK, Colour, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, Pen, SEVERAL_AREA, SMALL_LABEL_SIZE,
-    UNDECIDED,
+    BLACK, Colour, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Pen, SEVERAL_AREA, SMALL_LABEL_SIZE, UNDECIDED,
 };
-use crate::plot::axes::{Marker, Panel};
+use crate::plot::axes::Panel;
 
 pub(crate) fn pen(bifurcation: Bifurcation) -> Pen {
     let look = CurveLook::of(bifurcation);
@@ -109,11 +110,14 @@ fn traces(points: &[PlanePoint]) -> Vec<Trace> {
 
 /// Draws curves, with the wide grazing curve at the bottom and approximations above the curves that they
 /// approximate; returns the pieces of all lines except approximations, which labels avoid.
+///
+/// # Errors
+/// As [`Panel::draw_series`].
 pub fn draw_curves(
-    panel: &Panel<'_>,
+    panel: &mut Panel<'_>,
     labels: &mut Labels<'_>,
     mut curves: Vec<Trace>,
-) -> Vec<(Bifurcation, Vec<Spot>)> {
+) -> Result<Vec<(Bifurcation, Vec<Spot>)>, DrawingError> {
     curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.of));
     let mut drawn = Vec::new();
     for Trace { kind, of, points } in &curves {
@@ -127,8 +131,8 @@ pub fn draw_curves(
                 (approximation(*kind), format!("quadratic approximation to {}", kind.name()))
             }
         };
-        for piece in panel.line(points, pen) {
-            panel.canvas.explain(&meaning, Sample::Line(pen));
+        let lines = panel.curve(points, pen);
+        for piece in panel.draw_series(lines)?.label(&meaning).legend(legend::line(pen))?.pieces {
             if *of == TraceOf::Approximation {
                 labels.placer.keep_off_nameless(&piece);
             } else {
@@ -137,16 +141,18 @@ pub fn draw_curves(
             }
         }
     }
-    drawn
+    Ok(drawn)
 }
 
 /// Marks the places where curves were followed no further.
-pub(crate) fn draw_ends(panel: &Panel<'_>, labels: &mut Labels<'_>, ends: impl Iterator<Item = (f64, f64)>) {
-    for end in ends {
-        if panel.marker(labels, end, Marker::Ring).is_some() {
-            panel.canvas.explain("a curve could not be followed further (reason in its table)", Sample::Ring);
-        }
-    }
+pub(crate) fn draw_ends(
+    panel: &mut Panel<'_>,
+    labels: &mut Labels<'_>,
+    ends: impl Iterator<Item = (f64, f64)>,
+) -> Result<(), DrawingError> {
+    let meaning = "a curve could not be followed further (reason in its table)";
+    panel.mark(labels, ends, Marker::Ring)?.label(meaning).legend(Marker::Ring.sample())?;
+    Ok(())
 }
 
 impl Labels<'_> {
@@ -183,36 +189,48 @@ impl Labels<'_> {
     }
 }
 
-/// Marks codimension-two points, resonances above the others; returns the visible ones with the boxes of
-/// their markers.
+/// Marks codimension-two points, resonances above the others; returns the visible ones with their places on the sheet.
+///
+/// # Errors
+/// As [`Panel::draw_series`].
 pub fn draw_points<'a>(
-    panel: &Panel<'_>,
+    panel: &mut Panel<'_>,
     labels: &mut Labels<'_>,
     points: &'a [SpecialPoint],
-) -> Vec<(&'a SpecialPoint, Bounds)> {
+) -> Result<Vec<(&'a SpecialPoint, Spot)>, DrawingError> {
+    let place = |point: &&SpecialPoint| (point.primary, point.secondary);
+    let visible = points.iter().filter(|point| panel.frame.contains(place(point)));
+    let (resonances, others): (Vec<_>, Vec<_>) =
+        visible.partition(|point| point.kind == CodimensionTwo::Resonance);
     let mut drawn = Vec::new();
-    for (marker, resonances) in [(Marker::Disc, false), (Marker::Triangle, true)] {
-        let (meaning, sample) = match resonances {
-            true => (point_meaning(CodimensionTwo::Resonance), Sample::Triangle),
-            false => ("other codimension-two point", Sample::Disc),
-        };
-        for point in points.iter().filter(|point| (point.kind == CodimensionTwo::Resonance) == resonances) {
-            if let Some(taken) = panel.marker(labels, (point.primary, point.secondary), marker) {
-                panel.canvas.explain(meaning, sample);
-                drawn.push((point, taken));
-            }
-        }
+    for (points, marker, meaning) in [
+        (others, Marker::Disc, "other codimension-two point"),
+        (resonances, Marker::Triangle, point_meaning(CodimensionTwo::Resonance)),
+    ] {
+        let marks = panel.mark(labels, points.iter().map(place), marker)?;
+        let marks = marks.label(meaning).legend(marker.sample())?;
+        drawn.extend(points.into_iter().zip(marks.pieces.concat()));
     }
-    drawn
+    Ok(drawn)
 }
 
 /// Draws regions of solutions with several impacts; returns the name and the border of each that is decided
 /// and visible.
-pub fn draw_several(panel: &Panel<'_>, regions: &[SequenceVertex]) -> Vec<(String, Vec<Spot>)> {
-    let drawn = Area::several(regions).into_iter().map(|region| (region.draw(panel), region));
-    let named =
-        drawn.filter(|(shape, region)| !shape.is_empty() && region.kind == RegionKind::SeveralImpacts);
-    named.map(|(shape, region)| (region.name, shape)).collect()
+///
+/// # Errors
+/// As [`Panel::draw_series`].
+pub fn draw_several(
+    panel: &mut Panel<'_>,
+    regions: &[SequenceVertex],
+) -> Result<Vec<(String, Vec<Spot>)>, DrawingError> {
+    let mut named = Vec::new();
+    for region in Region::several(regions) {
+        let border = region.draw(panel)?;
+        if !border.is_empty() && region.kind == RegionKind::SeveralImpacts {
+            named.push((region.name, border));
+        }
+    }
+    Ok(named)
 }
 
 /// Writes the names of such regions into those that have room.
@@ -227,7 +245,7 @@ pub fn name_several(labels: &mut Labels<'_>, regions: &[(String, Vec<Spot>)]) ->
 }
 
 /// A region of the parameter plane; vertices are (across, up).
-pub(crate) struct Area {
+pub(crate) struct Region {
     /// The number of loops p, 0 for other solutions than MPSs.
     pub(crate) p: u32,
     /// What is written inside.
@@ -237,11 +255,11 @@ pub(crate) struct Area {
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
 
-impl Area {
+impl Region {
     /// Regions from their vertices: vertices with the same number form a region, and those of the same
     /// ring, in order, form a polygon.
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
-        let region = |vertices: &[RegionVertex]| Area {
+        let region = |vertices: &[RegionVertex]| Region {
             p: vertices[0].loops,
             name: format!("$p={}$", vertices[0].loops),
             kind: vertices[0].kind,
@@ -255,7 +273,7 @@ impl Area {
 
     /// Regions of solutions with several impacts, K/P for K impacts in P forcing periods.
     pub(crate) fn several(vertices: &[SequenceVertex]) -> Vec<Self> {
-        let region = |vertices: &[SequenceVertex]| Area {
+        let region = |vertices: &[SequenceVertex]| Region {
             p: 0,
             name: format!("{}/{}", vertices[0].impacts, vertices[0].periods),
             kind: vertices[0].kind,
@@ -275,26 +293,33 @@ impl Area {
     }
 
     /// Fills or hatches the region; returns its border on the sheet if any of it is visible.
-    pub(crate) fn draw(&self, panel: &Panel<'_>) -> Vec<Spot> {
-        match self.kind {
-            RegionKind::Undecided => {
-                panel.canvas.explain(region_meaning(self.kind), Sample::Hatching(UNDECIDED));
-                panel.hatch(&self.rings, UNDECIDED);
-                Vec::new()
-            }
-            kind => panel.area(&self.rings, shade(panel, kind)),
+    pub(crate) fn draw(&self, panel: &mut Panel<'_>) -> Result<Vec<Spot>, DrawingError> {
+        if self.kind != RegionKind::Undecided {
+            return shade(panel, &self.rings, self.kind);
         }
+        let hatched = panel.draw_series(panel.area(&self.rings, Filling::Hatching(UNDECIDED)))?;
+        hatched.label(region_meaning(self.kind)).legend(legend::hatching(UNDECIDED))?;
+        Ok(Vec::new())
     }
 }
 
-/// The shade of a region in which a solution is stable; adds it to the legend.
-pub fn shade(panel: &Panel<'_>, kind: RegionKind) -> Paint {
+/// Shades a region in which a solution is stable; returns its border on the sheet if any of it is visible.
+///
+/// # Errors
+/// As [`Panel::draw_series`].
+pub fn shade(
+    panel: &mut Panel<'_>,
+    rings: &[Vec<(f64, f64)>],
+    kind: RegionKind,
+) -> Result<Vec<Spot>, DrawingError> {
     let (more, paint) = match kind {
         RegionKind::NonImpacting => ("", NON_IMPACTING_AREA),
         RegionKind::SeveralImpacts => ("; K/P: K impacts in P periods", SEVERAL_AREA),
         _ => ("; darker where several are", MPS_AREA),
     };
+    let area = panel.area(rings, paint);
+    let border = area.as_ref().map_or_else(Vec::new, |area| panel.spots(area.border()));
     let meaning = format!("{}{more}", region_meaning(kind));
-    panel.canvas.explain(&meaning, Sample::Area(paint));
-    paint
+    panel.draw_series(area)?.label(&meaning).legend(legend::area(paint))?;
+    Ok(border)
 }

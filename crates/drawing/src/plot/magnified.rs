@@ -5,7 +5,7 @@ use grazing_results::Frame;
 use crate::error::DrawingError;
 use crate::geometry::sheet::Bounds;
 use crate::ink::labels::{Labels, Site};
-use crate::ink::legend::Sample;
+use crate::ink::legend;
 use crate::ink::style::{AROUND_MAGNIFIED, MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 use crate::plot::axes::Panel;
 
@@ -31,13 +31,17 @@ pub(crate) fn panel_letter(number: u32) -> String {
 }
 
 /// Draws a rectangle, or a dotted one around it if it is too small; returns the visible outline, if any.
-pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_>) -> Option<Bounds> {
+pub(crate) fn rectangle(
+    panel: &mut Panel<'_>,
+    frame: &Frame,
+    labels: &mut Labels<'_>,
+) -> Result<Option<Bounds>, DrawingError> {
     let [[left, right], [low, high]] = [frame.x, frame.y];
     let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
     let own = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
     let seen = own.common(panel.bounds);
     if seen.left > seen.right || seen.top > seen.bottom {
-        return None;
+        return Ok(None);
     }
     let [wide, high] = [own.right - own.left, own.bottom - own.top];
     let is_small = wide.max(high) < HIDING || wide.min(high) < BAR;
@@ -53,11 +57,10 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
     } else {
         ("area of a magnification", MAGNIFIED, *frame)
     };
-    for piece in panel.line(&outline.outline(), pen) {
-        panel.canvas.explain(meaning, Sample::Rectangle(pen));
-        labels.placer.keep_off(&piece);
-    }
-    Some(whole.common(panel.bounds))
+    let drawn = panel.draw_series(panel.curve(&outline.outline(), pen))?;
+    let drawn = drawn.label(meaning).legend(legend::rectangle(pen))?;
+    drawn.pieces.iter().for_each(|piece| labels.placer.keep_off(piece));
+    Ok(Some(whole.common(panel.bounds)))
 }
 
 /// Labels a rectangle: around its middle or, for a small one among many curves, at the first corner with

@@ -5,7 +5,7 @@ use grazing_results::plane::OwnPoint;
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Spot, length};
 use crate::ink::labels::{Labels, Site};
-use crate::ink::legend::Sample;
+use crate::ink::legend;
 use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
 use crate::plot::axes::Panel;
 
@@ -19,7 +19,11 @@ pub(crate) struct OwnCurve {
 /// Draws the curves where their solutions are admissible, with thin lines where they are not stable.
 /// Returns the pieces for each name and number of loops with their label, the best ones for the label
 /// first: stable and long ones.
-pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPoint]) -> Vec<OwnCurve> {
+pub(crate) fn draw_own(
+    panel: &mut Panel<'_>,
+    labels: &mut Labels<'_>,
+    rows: &[OwnPoint],
+) -> Result<Vec<OwnCurve>, DrawingError> {
     let mut drawn: Vec<OwnCurve> = Vec::new();
     let mut names: Vec<&str> = Vec::new();
     for curve in rows.chunk_by(|a, b| a.arc == b.arc) {
@@ -42,8 +46,9 @@ pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPo
             let places = curve[from..=from + run.len()].iter().map(|point| (point.primary, point.secondary));
             from += run.len();
             let Some(unstable) = run[0] else { continue };
-            for piece in panel.line(&places.collect::<Vec<_>>(), pens[unstable]) {
-                panel.canvas.explain(&format!("{name}: {}", curve[0].property), Sample::Line(pens[0]));
+            let curves = panel.curve(&places.collect::<Vec<_>>(), pens[unstable]);
+            let meaning = format!("{name}: {}", curve[0].property);
+            for piece in panel.draw_series(curves)?.label(&meaning).legend(legend::line(pens[0]))?.pieces {
                 labels.placer.keep_off(&piece);
                 let stable = unstable == 0;
                 match drawn.iter_mut().find(|known| known.label == label) {
@@ -56,7 +61,7 @@ pub(crate) fn draw_own(panel: &Panel<'_>, labels: &mut Labels<'_>, rows: &[OwnPo
     for OwnCurve { pieces, .. } in &mut drawn {
         pieces.sort_by(|(a, one), (b, other)| b.cmp(a).then(length(other).total_cmp(&length(one))));
     }
-    drawn
+    Ok(drawn)
 }
 
 /// Labels the curves where there is room beside a piece, or else with a leader to one.

@@ -99,7 +99,7 @@ pub(crate) fn draw_panels(
     width: SheetWidth,
     across: &str,
     panels: &[GridPanel<'_>],
-    draw: impl Fn(&Panel<'_>, usize) -> Result<(), DrawingError>,
+    draw: impl Fn(&mut Panel<'_>, usize) -> Result<(), DrawingError>,
 ) -> Result<Vec<Sheet>, DrawingError> {
     let sheets = sheets(width, panels.len());
     let (count, fonts) = (sheets.len(), Fonts::load()?);
@@ -120,8 +120,8 @@ pub(crate) fn draw_panels(
             let columns = shown.names.and_then(Names::columns);
             let bounds = grid.bounds(place);
             let tables = heading.tables;
-            let panel = Panel { tables, only, columns, decades, ..Panel::new(&canvas, frame, bounds) };
-            draw(&panel, start + place)?;
+            let mut panel = Panel { tables, only, columns, decades, ..Panel::new(&canvas, frame, bounds)? };
+            draw(&mut panel, start + place)?;
             panel.axes(across, if grid.is_titled(place) { shown.up } else { "" })?;
             shown.write_heading(&canvas, (bounds.left, bounds.top - grid.heading_rise()), split)?;
         }

@@ -7,6 +7,7 @@ use crate::error::DrawingError;
 use crate::geometry::clip::{checked, clip_polyline};
 use crate::geometry::sheet::{Bounds, Spot};
 use crate::ink::canvas::{Anchor, Canvas};
+use crate::ink::elements::{Area, Stroke};
 use crate::ink::font::Fonts;
 use crate::ink::markup::Label;
 use crate::ink::style::{
@@ -169,22 +170,22 @@ impl<'a> Portraits<'a> {
             let top = pitch * row as f64 + self.further() + ABOVE;
             let bottom = pitch * (row + 1) as f64 - BELOW;
             let bounds = Bounds { left, top, right: left + self.width - WALL_THICKNESS, bottom };
-            let panel = Panel {
+            let mut panel = Panel {
                 tables: caption.table,
                 columns: caption.columns.clone(),
                 only: Some(("portrait", number)),
                 numbers_beside: column == 0,
-                ..Panel::new(canvas, *frame, bounds)
+                ..Panel::new(canvas, *frame, bounds)?
             };
-            wall(&panel);
+            wall(&panel)?;
             let pen = match kind {
                 PortraitKind::Attractor => ATTRACTOR_ORBIT,
                 PortraitKind::Periodic => branch_pen(loops, PERIODIC_ORBIT.width),
             };
-            panel.line(&without_jumps(&orbit, at_wall(*frame)), pen);
+            panel.draw_series(panel.curve(&without_jumps(&orbit, at_wall(*frame)), pen))?;
             let [x, y] = caption.titles;
             panel.axes(x, if column == 0 { y } else { "" })?;
-            jump(&panel, &orbit, pen.colour);
+            jump(&mut panel, &orbit, pen.colour)?;
             for (above, line) in heading.iter().rev().enumerate() {
                 let baseline = top - 5.0 - LEADING * above as f64;
                 canvas.text((left, baseline), line, self.size, Anchor::Start, BLACK)?;
@@ -239,7 +240,7 @@ pub(crate) fn letters(
         free_from = middle + half + 2.0;
         let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);
         let guide = vec![(*x, bottom), (*x, top), (middle, top - 4.0)];
-        panel.canvas.line(&guide, GUIDE);
+        panel.canvas.draw(&Stroke::new(guide.clone(), GUIDE))?;
         guides.push(guide);
         panel.canvas.text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
     }
@@ -270,7 +271,7 @@ fn without_jumps(orbit: &[(f64, f64)], at_wall: f64) -> Vec<(f64, f64)> {
 }
 
 /// Draws the impacts as one dashed line in the wall's, from the fastest impact to the fastest recoil.
-fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)], colour: Colour) {
+fn jump(panel: &mut Panel<'_>, orbit: &[(f64, f64)], colour: Colour) -> Result<(), DrawingError> {
     let finite: Vec<(f64, f64)> =
         orbit.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     // A periodic orbit may be given from recoil to impact, so that the jump closes it.
@@ -280,28 +281,29 @@ fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)], colour: Colour) {
     let arrival = jumps.iter().map(|(from, _)| from.1).fold(0.0, f64::max);
     let recoil = jumps.iter().map(|(_, to)| to.1).fold(0.0, f64::min);
     if arrival > recoil {
-        let path = [panel.spot((0.0, arrival)), panel.spot((0.0, recoil))];
-        panel.canvas.line(&path, WALL_GAP);
-        panel.canvas.line(&path, Pen { colour, ..IMPACT });
+        let pens = [WALL_GAP, Pen { colour, ..IMPACT }];
+        panel.draw_series(pens.map(|pen| Stroke::new([(0.0, arrival), (0.0, recoil)], pen)))?;
     }
+    Ok(())
 }
 
 /// Draws the wall: a hatched strip to the right of x = 0.
-fn wall(panel: &Panel<'_>) {
+fn wall(panel: &Panel<'_>) -> Result<(), DrawingError> {
     let Bounds { top, right: left, bottom, .. } = panel.bounds;
     let right = left + WALL_THICKNESS;
     let canvas = panel.canvas;
-    canvas.polygon(&[(left, top), (right, top), (right, bottom), (left, bottom)], WALL_FACE, None);
+    let face = [(left, top), (right, top), (right, bottom), (left, bottom)];
+    canvas.draw(&Area::ring(face, WALL_FACE, None))?;
     let strip = Frame { x: [left, right], y: [top, bottom] };
     let mut start = top - WALL_THICKNESS;
     while start < bottom + WALL_THICKNESS {
         let stroke = [(left, start + WALL_THICKNESS), (right, start)];
         for piece in clip_polyline(&strip, &stroke) {
-            canvas.line(&piece, WALL_HATCHING);
+            canvas.draw(&Stroke::new(piece, WALL_HATCHING))?;
         }
         start += 3.5;
     }
-    canvas.line(&[(left, top), (left, bottom)], WALL);
+    canvas.draw(&Stroke::new([(left, top), (left, bottom)], WALL))
 }
 
 #[cfg(test)]
@@ -323,7 +325,7 @@ mod tests {
         let bounds = Bounds { left: 10.0, top: 10.0, right: 90.0, bottom: 90.0 };
         let drawn = |orbit: &[(f64, f64)]| {
             let canvas = Canvas::new(40.0, 40.0).unwrap();
-            jump(&Panel::new(&canvas, frame, bounds), orbit, BLACK);
+            jump(&mut Panel::new(&canvas, frame, bounds).unwrap(), orbit, BLACK).unwrap();
             let svg = canvas.finish("test", "", "").unwrap().svg();
             let dashed = svg.lines().filter(|line| line.contains("stroke-dasharray"));
             dashed.map(|line| line.split('"').nth(1).unwrap().to_owned()).collect::<Vec<_>>()

@@ -12,6 +12,7 @@ use crate::geometry::passing::{Course, interrupted};
 use crate::geometry::sheet::{Bounds, Spot, length};
 use crate::ink::arrow::{arrow, head_on};
 use crate::ink::canvas::Canvas;
+use crate::ink::elements::{Area, Disc, Stroke};
 use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{
@@ -117,7 +118,7 @@ impl SpaceSheet {
     /// A coordinate is not finite.
     pub fn draw(&self, figure: &Scene, width: SheetWidth) -> Result<Sheet, DrawingError> {
         let (shown, canvas) = OnSheet::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
-        shown.paint(&canvas);
+        shown.paint(&canvas)?;
         let mut labels = shown.labels(&canvas)?;
         for (spot, mark) in &shown.points {
             if let Some(name) = (self.mark)(mark) {
@@ -203,7 +204,7 @@ impl OnSheet {
 
     /// Paints everything, layer by layer; within a layer: faces, lines on them, curves from far to near,
     /// points.
-    fn paint(&self, canvas: &Canvas) {
+    fn paint(&self, canvas: &Canvas) -> Result<(), DrawingError> {
         let mut layers: Vec<u32> = self.curves.iter().map(|piece| piece.layer).collect();
         layers.extend(self.surfaces.iter().map(|piece| piece.layer));
         layers.extend(self.points.iter().map(|(_, mark)| mark.layer));
@@ -216,38 +217,46 @@ impl OnSheet {
             let here: Vec<_> = self.surfaces.iter().filter(|piece| piece.layer == layer).collect();
             for piece in &here {
                 if let Some(paint) = face(piece.kind) {
-                    canvas.polygon(&piece.spots(), paint, Some(FACE_EDGE));
+                    canvas.draw(&Area::ring(piece.spots(), paint, Some(FACE_EDGE)))?;
                 }
             }
             for piece in &here {
-                self.line(canvas, piece);
+                self.line(canvas, piece)?;
             }
             let mut curves: Vec<usize> =
                 (0..self.curves.len()).filter(|&i| self.curves[i].layer == layer).collect();
             curves.sort_by(|&a, &b| depth(&self.curves[b].course).total_cmp(&depth(&self.curves[a].course)));
             for index in curves {
-                self.curve(canvas, index, &flowing, headed.contains(&index));
+                self.curve(canvas, index, &flowing, headed.contains(&index))?;
             }
             for (spot, mark) in self.points.iter().filter(|(_, mark)| mark.layer == layer) {
                 // No orbit of the full system goes beyond the wall.
                 let paint = if mark.x > 0.0 { OPEN_SPOT } else { SPOT };
-                canvas.disc(*spot, SPOT_RADIUS, paint, Some(SPOT_RIM));
+                canvas.draw(&Disc::new(*spot, SPOT_RADIUS, paint, Some(SPOT_RIM)))?;
             }
         }
+        Ok(())
     }
 
     /// Draws a line on a surface; the last piece of an axis ends in a head.
-    fn line(&self, canvas: &Canvas, piece: &Piece<SurfaceKind>) {
-        match piece.kind {
-            SurfaceKind::Tangency => canvas.line(&piece.spots(), TANGENCY),
-            SurfaceKind::Circle => canvas.line(&piece.spots(), CIRCLE),
-            kind if axis(kind).is_none() => {}
-            _ if last_of(&self.surfaces, piece) => arrow(canvas, &piece.spots(), 0.0, SPACE_AXIS),
-            _ => canvas.line(&piece.spots(), SPACE_AXIS),
-        }
+    fn line(&self, canvas: &Canvas, piece: &Piece<SurfaceKind>) -> Result<(), DrawingError> {
+        let pen = match piece.kind {
+            SurfaceKind::Tangency => TANGENCY,
+            SurfaceKind::Circle => CIRCLE,
+            kind if axis(kind).is_none() => return Ok(()),
+            _ if last_of(&self.surfaces, piece) => return arrow(canvas, &piece.spots(), 0.0, SPACE_AXIS),
+            _ => SPACE_AXIS,
+        };
+        canvas.draw(&Stroke::new(piece.spots(), pen))
     }
 
-    fn curve(&self, canvas: &Canvas, index: usize, flowing: &[&Course], headed: bool) {
+    fn curve(
+        &self,
+        canvas: &Canvas,
+        index: usize,
+        flowing: &[&Course],
+        headed: bool,
+    ) -> Result<(), DrawingError> {
         let piece = &self.curves[index];
         let pen = pen(piece.kind);
         if !flows(piece.kind) {
@@ -255,17 +264,20 @@ impl OnSheet {
             return if last_of(&self.curves, piece) {
                 arrow(canvas, &spots, SPOT_RADIUS + 0.8, pen)
             } else {
-                canvas.line(&spots, pen)
+                canvas.draw(&Stroke::new(spots, pen))
             };
         }
         for part in interrupted(&piece.course, flowing) {
-            canvas.line(&part, pen);
+            canvas.draw(&Stroke::new(part, pen))?;
         }
         if headed {
             let spots = piece.spots();
             let places: &[f64] = if length(&spots) > TWO_HEADS { &[0.3, 0.72] } else { &[0.58] };
-            places.iter().for_each(|share| head_on(canvas, &spots, *share, pen));
+            for share in places {
+                head_on(canvas, &spots, *share, pen)?;
+            }
         }
+        Ok(())
     }
 
     /// The longest piece of each curve, in the order of the curves, among the wanted pieces.

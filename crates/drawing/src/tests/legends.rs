@@ -1,12 +1,17 @@
 //! Tests of the entries in a diagram's legend, and of their pens.
 
+use plotters::element::IntoDynElement;
+use plotters_backend::BackendCoord;
+
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::Stability;
 use grazing_results::kinds::{Colour, CurveLook};
 use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::plane::{PlanePoint, RegionKind};
 
-use crate::ink::legend::Sample;
+use crate::ink::canvas::Canvas;
+use crate::ink::legend::{hatching, line};
+use crate::ink::markers::Marker;
 use crate::ink::style::UNDECIDED;
 use crate::plot::kinds::pen;
 use crate::tests::inspection::paths;
@@ -21,6 +26,16 @@ fn drawn(sample: &SampleOscillator) -> Sheet {
 
 fn hexadecimal([red, green, blue]: Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// A sample as the legend of a sheet has it.
+fn sampled<E>(sample: impl Fn(BackendCoord) -> E) -> Option<String>
+where
+    E: IntoDynElement<'static, Canvas, BackendCoord>,
+{
+    let canvas = Canvas::new(10.0, 10.0).unwrap();
+    canvas.explain("", |at| sample(at).into_dyn()).unwrap();
+    canvas.finish("test", "", "").unwrap().legend.pop().map(|(_, drawing)| drawing)
 }
 
 /// The drawing of the sample for a meaning in the legend.
@@ -41,8 +56,8 @@ fn a_legend_shows_each_kind_with_the_pen_that_its_curves_are_drawn_with() {
     let all = drawn(&sample);
     for (kind, meaning) in kinds {
         let colour = hexadecimal(CurveLook::of(kind).colours[0]);
-        assert_eq!(explained(&all, meaning), Some(Sample::Line(pen(kind)).element()), "{meaning}");
-        assert!(Sample::Line(pen(kind)).element().contains(&colour), "{meaning}");
+        assert_eq!(explained(&all, meaning), sampled(line(pen(kind))), "{meaning}");
+        assert!(sampled(line(pen(kind))).is_some_and(|line| line.contains(&colour)), "{meaning}");
         assert!(!paths(&all.svg(), &colour).is_empty(), "{meaning}");
     }
     // Without its curves a kind has no ink and no entry, and other kinds are not affected.
@@ -74,7 +89,7 @@ fn what_is_undecided_is_hatched_and_never_shaded() {
     let decided = mps(RegionKind::Mps);
     assert!(shaded(&decided) && hatched(&decided).is_none());
     let undecided = mps(RegionKind::Undecided);
-    assert_eq!(hatched(&undecided), Some(Sample::Hatching(UNDECIDED).element()));
+    assert_eq!(hatched(&undecided), sampled(hatching(UNDECIDED)));
     assert!(!shaded(&undecided));
     let lines = paths(&undecided.svg(), &hexadecimal(UNDECIDED.colour));
     assert!(lines.len() > paths(&decided.svg(), &hexadecimal(UNDECIDED.colour)).len());
@@ -119,7 +134,7 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
     // Once in the figure and once in its legend.
     assert_eq!(lines(&sample), 2);
     sample.diagram.curves[last].lost = "no further point was found".to_owned();
-    assert_eq!(explained(&drawn(&sample), ring), Some(Sample::Ring.element()));
+    assert_eq!(explained(&drawn(&sample), ring), sampled(Marker::Ring.sample()));
     // For other kinds of curves stability is ignored.
     let before = lines(&sample);
     let others =

@@ -3,9 +3,10 @@
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::labels::{Labels, Site};
-use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::legend;
+use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, branch_pen};
-use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::Panel;
 use grazing_results::Frame;
 
 use super::{Atlas, Node};
@@ -47,15 +48,15 @@ impl Atlas {
             let titles = if loops == 1 { [r"$\epsilon$", r"$c/c_{\mathrm{PD}}$"] } else { [""; 2] };
             let panel = |top: f64, y, tables| {
                 let bounds = Bounds { left, top: top + ABOVE, right, bottom: top + middle - BELOW };
-                let mut panel = Panel::new(&canvas, Frame { x: across, y }, bounds);
+                let mut panel = Panel::new(&canvas, Frame { x: across, y }, bounds)?;
                 (panel.tables, panel.numbers_beside) = (tables, loops == 1);
-                panel
+                Ok::<_, DrawingError>(panel)
             };
-            let map = panel(0.0, [0.0, 1.0], &["beyond_atlas", "beyond_atlas_resonances"]);
-            self.draw_map(&map, loops)?;
+            let mut map = panel(0.0, [0.0, 1.0], &["beyond_atlas", "beyond_atlas_resonances"])?;
+            self.draw_map(&mut map, loops)?;
             map.axes(r"$\sigma$", titles[0])?;
-            let ratios = panel(middle, RATIOS, &["beyond_atlas_lattice"]);
-            self.draw_ratios(&ratios, loops)?;
+            let mut ratios = panel(middle, RATIOS, &["beyond_atlas_lattice"])?;
+            self.draw_ratios(&mut ratios, loops)?;
             ratios.axes(r"$\sigma$", titles[1])?;
             canvas.text((left, ABOVE - 5.0), above, LABEL_SIZE, Anchor::Start, BLACK)?;
             let below = format!(r"{below}  $\epsilon={}$", self.epsilon);
@@ -70,7 +71,7 @@ impl Atlas {
         )
     }
 
-    fn draw_map(&self, panel: &Panel<'_>, loops: u32) -> Result<(), DrawingError> {
+    fn draw_map(&self, panel: &mut Panel<'_>, loops: u32) -> Result<(), DrawingError> {
         let mut labels = Labels::new(panel.canvas, panel.bounds);
         let curves = self.boundaries.chunk_by(|a, b| (a.loops, a.impacts) == (b.loops, b.impacts));
         let curves: Vec<Vec<(f64, f64)>> = curves
@@ -83,23 +84,25 @@ impl Atlas {
             let lowest = (curve[0].0, 0.0);
             let area: Vec<_> =
                 [(-1.0, 0.0), lowest].into_iter().chain(curve.iter().copied()).chain([(-1.0, 1.0)]).collect();
-            panel.fill(&area, SHADE);
-            edges.extend(panel.line(&area[1..area.len() - 1], EDGE));
+            let edge = panel.curve(&area[1..area.len() - 1], EDGE);
             let shade = Paint { opacity: 1.0 - libm::pow(1.0 - SHADE.opacity, 1.0 + number as f64), ..SHADE };
-            panel.canvas.explain(MEANINGS[number], Sample::Area(shade));
+            let drawn = panel.draw_series(panel.area(&[area], SHADE))?;
+            drawn.label(MEANINGS[number]).legend(legend::area(shade))?;
+            edges.extend(panel.draw_series(edge)?.pieces);
         }
-        for piece in panel.line(&[(-1.0, self.epsilon), (1.0, self.epsilon)], OWN) {
-            labels.placer.keep_off(&piece);
-        }
-        panel.canvas.explain("the ε of Figure 7", Sample::Line(OWN));
+        let own = panel.draw_series(panel.curve(&[(-1.0, self.epsilon), (1.0, self.epsilon)], OWN))?;
+        let own = own.label("the ε of Figure 7").legend(legend::line(OWN))?;
+        own.pieces.iter().for_each(|piece| labels.placer.keep_off(piece));
         let mut marked = Vec::new();
         for place in self.places.iter().filter(|place| place.loops.min(2) == loops) {
-            if let Some(taken) = panel.marker(&mut labels, (place.sigma, place.epsilon), Marker::Triangle) {
-                marked.push((format!("{}, {}", place.loops, place.n), taken));
+            let at = (place.sigma, place.epsilon);
+            for spot in panel.mark(&mut labels, [at], Marker::Triangle)?.pieces.concat() {
+                marked.push((format!("{}, {}", place.loops, place.n), spot));
             }
         }
         edges.iter().for_each(|edge| labels.placer.keep_off(edge));
-        for (name, taken) in &marked {
+        for (name, spot) in &marked {
+            let taken = Marker::Triangle.around(*spot);
             let (spots, reach) = ([taken.centre()], 0.5 * (taken.right - taken.left));
             // Closest first; over lines rather than not at all.
             let sites = [
@@ -137,7 +140,7 @@ impl Atlas {
         labels.draw()
     }
 
-    fn draw_ratios(&self, panel: &Panel<'_>, loops: u32) -> Result<(), DrawingError> {
+    fn draw_ratios(&self, panel: &mut Panel<'_>, loops: u32) -> Result<(), DrawingError> {
         let mut labels = Labels::new(panel.canvas, panel.bounds);
         let own: Vec<&Node> =
             self.lattice.iter().filter(|node| node.epsilon == self.epsilon && node.loops == loops).collect();
@@ -152,7 +155,7 @@ impl Atlas {
         let mut pieces = Vec::new();
         for (pen, name, ratio) in curves {
             let points: Vec<_> = own.iter().map(|node| (node.sigma, ratio(node))).collect();
-            for piece in panel.line(&points, pen) {
+            for piece in panel.draw_series(panel.curve(&points, pen))?.pieces {
                 labels.placer.keep_off(&piece);
                 pieces.push((name, pen.colour, piece));
             }
@@ -161,7 +164,8 @@ impl Atlas {
             labels.add(name, SMALL_LABEL_SIZE, *colour, &Site::Pieces(&[piece]))?;
         }
         for place in self.places.iter().filter(|place| place.loops.min(2) == loops) {
-            panel.line(&[(place.sigma, RATIOS[0]), (place.sigma, RATIOS[0] + 0.08)], Pen::solid(BLACK, 0.5));
+            let tick = [(place.sigma, RATIOS[0]), (place.sigma, RATIOS[0] + 0.08)];
+            panel.draw_series(panel.curve(&tick, Pen::solid(BLACK, 0.5)))?;
         }
         labels.draw()
     }

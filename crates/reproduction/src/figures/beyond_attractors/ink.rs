@@ -2,8 +2,9 @@
 
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::elements::Area;
 use grazing_drawing::ink::labels::Labels;
-use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::legend;
 use grazing_drawing::ink::markup::Label;
 use grazing_drawing::ink::style::{
     BLACK, Colour, GREY, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, WHITE, branch_pen,
@@ -102,12 +103,9 @@ pub(super) fn draw(figure: &Attractors, width: SheetWidth) -> Result<Sheet, Draw
         }
         if let Some(paint) = paint {
             let (right, top, bottom) = (left + SWATCH, baseline - 6.5, baseline + 0.5);
-            canvas.polygon(
-                &[(left, top), (right, top), (right, bottom), (left, bottom)],
-                paint,
-                Some(SWATCH_RIM),
-            );
-            canvas.explain(words, Sample::Area(paint));
+            let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+            canvas.draw(&Area::ring(corners, paint, Some(SWATCH_RIM)))?;
+            canvas.explain(words, legend::area(paint))?;
         }
         canvas.text((left + before, baseline), words, SMALL_LABEL_SIZE, Anchor::Start, BLACK)?;
         left += width + GAP;
@@ -118,17 +116,17 @@ pub(super) fn draw(figure: &Attractors, width: SheetWidth) -> Result<Sheet, Draw
         right: canvas.width - RIGHT,
         bottom: canvas.height - BELOW,
     };
-    let mut panel = Panel::new(&canvas, figure.diagram.frame, bounds);
+    let mut panel = Panel::new(&canvas, figure.diagram.frame, bounds)?;
     panel.tables = &["beyond_attractors"];
     for &class in &seen {
-        draw_cells(&panel, [columns, rows], &cells[class], colour(class));
+        draw_cells(&mut panel, [columns, rows], &cells[class], colour(class))?;
     }
     let mut labels = Labels::new(&canvas, bounds);
     for curve in shown_curves(&figure.diagram.curves) {
-        panel.line(&curve.points, CASING);
+        panel.draw_series(panel.curve(&curve.points, CASING))?;
     }
-    draw_curves(&panel, &mut labels, shown_curves(&figure.diagram.curves));
-    draw_points(&panel, &mut labels, &figure.diagram.points);
+    draw_curves(&mut panel, &mut labels, shown_curves(&figure.diagram.curves))?;
+    draw_points(&mut panel, &mut labels, &figure.diagram.points)?;
     panel.axes(r"$\mathcal{A}$", r"$\omega$")?;
     canvas.finish(
         "beyond_attractors",

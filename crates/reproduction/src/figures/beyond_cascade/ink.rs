@@ -46,7 +46,7 @@ impl Cascades {
             for (panel, left) in panels.iter().zip((0..).map(|number| LEFT + column * f64::from(number))) {
                 let bounds =
                     Bounds { left, top: top + ABOVE, right: left + column - GAP, bottom: top + row - BELOW };
-                let mut drawn = Panel::new(&canvas, frame, bounds);
+                let mut drawn = Panel::new(&canvas, frame, bounds)?;
                 drawn.tables = &["beyond_cascade_attractor"];
                 drawn.only = Some(("panel", panel.panel));
                 drawn.columns = Some(columns.clone());
@@ -55,7 +55,7 @@ impl Cascades {
                 for onset in
                     own.flat_map(|at| (0..at.cascade.onsets.len()).map(|place| at.cascade.fraction(place)))
                 {
-                    drawn.line(&[(onset, frame.y[0]), (onset, frame.y[1])], ONSET);
+                    drawn.draw_series(drawn.curve(&[(onset, frame.y[0]), (onset, frame.y[1])], ONSET))?;
                 }
                 let own: Vec<&CascadePoint> =
                     self.points.iter().filter(|point| point.panel == panel.panel).collect();
@@ -65,7 +65,7 @@ impl Cascades {
                     let places = at.iter().map(|point| (point.scaled, point.velocity));
                     places.flat_map(|place| repeat_n(place, SHOWN / at.len()))
                 });
-                draw_cloud(&drawn, &weighed.collect::<Vec<_>>());
+                draw_cloud(&mut drawn, &weighed.collect::<Vec<_>>())?;
                 drawn.axes(r"$M/M_{\mathrm{PD}}$", if left == LEFT { r"$y/y_{\mathrm{PD}}$" } else { "" })?;
                 let size = if panel.size > 0.0 {
                     format!(r"$y_{{\mathrm{{PD}}}}={}$", panel.size)

@@ -4,10 +4,11 @@ use grazing_drawing::POINTS_PER_MM;
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::labels::{Labels, Site};
-use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::legend;
+use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::markup::Label;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, MAGNIFIED_TEXT, Pen, SMALL_LABEL_SIZE};
-use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, draw_several, name_several};
 use grazing_results::plane::{CurveSource, PlanePoint};
 
@@ -43,7 +44,7 @@ pub(super) fn draw(figure: &Generations, width: SheetWidth) -> Result<Sheet, Dra
     let [window, each] = [window, each].map(|mm| mm * POINTS_PER_MM);
     let right = canvas.width - RIGHT;
     let bounds = Bounds { left: LEFT, top: ABOVE, right, bottom: window - BELOW };
-    draw_window(figure, &Panel::new(&canvas, figure.frame, bounds))?;
+    draw_window(figure, &mut Panel::new(&canvas, figure.frame, bounds)?)?;
     canvas.text((LEFT, ABOVE - 5.0), "(a)", LABEL_SIZE, Anchor::Start, BLACK)?;
     let across = (right - LEFT - (in_a_row - 1) as f64 * NUMBERS) / in_a_row as f64;
     for (place, (rows, frame)) in panels.into_iter().enumerate() {
@@ -51,7 +52,7 @@ pub(super) fn draw(figure: &Generations, width: SheetWidth) -> Result<Sheet, Dra
         let (left, top) = (LEFT + column as f64 * (across + NUMBERS), window + row as f64 * each);
         let bounds = Bounds { left, top: top + ABOVE, right: left + across, bottom: top + each - BELOW };
         let up = if column == 0 { r"$\omega$" } else { "" };
-        draw_magnified(figure, rows, &Panel::new(&canvas, *frame, bounds), [MAGNIFIED[place], up])?;
+        draw_magnified(figure, rows, &mut Panel::new(&canvas, *frame, bounds)?, [MAGNIFIED[place], up])?;
     }
     canvas.finish(
         "beyond_generations",
@@ -71,29 +72,27 @@ fn trace(rows: &[LaterPoint]) -> Trace {
     Trace { kind: rows[0].kind, of: TraceOf::Bifurcation, points: rows.iter().map(spot).collect() }
 }
 
-fn draw_window(figure: &Generations, panel: &Panel<'_>) -> Result<(), DrawingError> {
+fn draw_window(figure: &Generations, panel: &mut Panel<'_>) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    let several = draw_several(panel, &figure.regions);
+    let several = draw_several(panel, &figure.regions)?;
     for curve in figure.known.chunk_by(|a, b| a.arc == b.arc) {
         let spot = |row: &PlanePoint| match row.admissible {
             true => (row.primary, row.secondary),
             false => (f64::NAN, f64::NAN),
         };
-        for piece in panel.line(&curve.iter().map(spot).collect::<Vec<_>>(), KNOWN) {
-            labels.placer.keep_off_nameless(&piece);
-        }
+        let known = panel.draw_series(panel.curve(&curve.iter().map(spot).collect::<Vec<_>>(), KNOWN))?;
+        let known = known.label("curves of Figure 7").legend(legend::line(KNOWN))?;
+        known.pieces.iter().for_each(|piece| labels.placer.keep_off_nameless(piece));
     }
-    panel.canvas.explain("curves of Figure 7", Sample::Line(KNOWN));
     let curves = figure.curves.chunk_by(|a, b| (a.number, a.arc) == (b.number, b.arc));
-    let drawn = draw_curves(panel, &mut labels, curves.map(trace).collect());
+    let drawn = draw_curves(panel, &mut labels, curves.map(trace).collect())?;
     for row in &figure.resonances {
-        let (marker, sample, meaning) = match row.fails.is_empty() {
-            true => (Marker::Triangle, Sample::Triangle, "resonance of motion with impacts"),
-            false => (Marker::Ring, Sample::Ring, "resonance at which no theorem applies"),
+        let (marker, meaning) = match row.fails.is_empty() {
+            true => (Marker::Triangle, "resonance of motion with impacts"),
+            false => (Marker::Ring, "resonance at which no theorem applies"),
         };
-        if panel.marker(&mut labels, (row.primary, row.secondary), marker).is_some() {
-            panel.canvas.explain(meaning, sample);
-        }
+        let mark = panel.mark(&mut labels, [(row.primary, row.secondary)], marker)?;
+        mark.label(meaning).legend(marker.sample())?;
     }
     for (rows, letter) in figure.magnified.chunk_by(|a, b| a.panel == b.panel).zip(MAGNIFIED) {
         if let Some(row) = figure.resonances.iter().find(|row| row.number == rows[0].number) {
@@ -110,7 +109,7 @@ fn draw_window(figure: &Generations, panel: &Panel<'_>) -> Result<(), DrawingErr
 fn draw_magnified(
     figure: &Generations,
     rows: &[LaterMagnified],
-    panel: &Panel<'_>,
+    panel: &mut Panel<'_>,
     [name, up]: [&str; 2],
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
@@ -122,9 +121,9 @@ fn draw_magnified(
         Trace { kind: run[0].kind, of, points: run.iter().map(|row| (row.primary, row.secondary)).collect() }
     };
     let runs = rows.chunk_by(|a, b| (a.kind, a.source, a.arc) == (b.kind, b.source, b.arc));
-    let drawn = draw_curves(panel, &mut labels, runs.map(trace).collect());
+    let drawn = draw_curves(panel, &mut labels, runs.map(trace).collect())?;
     let Some(row) = figure.resonances.iter().find(|row| row.number == rows[0].number) else { return Ok(()) };
-    panel.marker(&mut labels, (row.primary, row.secondary), Marker::Triangle);
+    panel.mark(&mut labels, [(row.primary, row.secondary)], Marker::Triangle)?;
     labels.name_curves(drawn, 0.5 * NAMED_LENGTH, "grazing")?;
     labels.draw()?;
     let heading = format!("{name} $p={}$, $q={}$", row.base_loops, row.rounds);

@@ -3,13 +3,14 @@
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::labels::{Labels, Site};
-use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::legend;
+use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::markup::Label;
 use grazing_drawing::ink::style::{
     BLACK, DISC_RADIUS, GREY, LABEL_SIZE, MAGNIFIED_TEXT, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE,
     branch_pen,
 };
-use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, shade};
 use grazing_results::Frame;
 use grazing_results::kinds::CurveLook;
@@ -54,24 +55,25 @@ pub(super) fn draw(figure: &Proofs, width: SheetWidth) -> Result<Sheet, DrawingE
     let parting = LEFT + SHARES[1] * (right - LEFT - GAP);
     let height = SHARES[0] * canvas.height;
     let upper = |left, right| Bounds { left, top: ABOVE, right, bottom: height - BELOW };
-    let window = Panel::new(&canvas, figure.frame, upper(LEFT, parting));
-    draw_window(figure, &window)?;
+    draw_window(figure, &mut Panel::new(&canvas, figure.frame, upper(LEFT, parting))?)?;
     let widths = Frame { x: WIDTHS, y: figure.frame.y };
-    let mut widths = Panel::new(&canvas, widths, upper(parting + GAP, right));
+    let mut widths = Panel::new(&canvas, widths, upper(parting + GAP, right))?;
     widths.numbers_beside = false;
     let (mut labels, mut named) = (Labels::new(&canvas, widths.bounds), Vec::new());
-    for piece in widths.line(&[(-6.0, figure.frame.y[0]), (-6.0, figure.frame.y[1])], GOAL) {
+    let goal = widths.curve(&[(-6.0, figure.frame.y[0]), (-6.0, figure.frame.y[1])], GOAL);
+    for piece in widths.draw_series(goal)?.pieces {
         labels.placer.keep_off_nameless(&piece);
     }
     for run in figure.ends.chunk_by(|a, b| a.arc == b.arc).filter(|run| run[0].loops > 0) {
         let pen = branch_pen(run[0].loops, 0.9);
         let seen: Vec<_> = run.iter().filter(|ends| ends.log_width.is_finite()).collect();
         let places: Vec<_> = seen.iter().map(|ends| (ends.log_width, ends.omega)).collect();
-        for piece in widths.line(&places, pen) {
+        let drawn = widths.draw_series(widths.curve(&places, pen))?;
+        let drawn = drawn.label(&format!("width of the tube, p = {}", run[0].loops));
+        for piece in drawn.legend(legend::line(pen))?.pieces {
             labels.placer.keep_off(&piece);
             named.push((run[0].loops, pen.colour, piece));
         }
-        canvas.explain(&format!("width of the tube, p = {}", run[0].loops), Sample::Line(pen));
     }
     for (loops, colour, piece) in &named {
         labels.add(&format!("${loops}$"), SMALL_LABEL_SIZE, *colour, &Site::Beside(piece))?;
@@ -105,7 +107,7 @@ fn outline(run: &[ProofEnds], greatest: f64) -> Vec<(f64, f64)> {
     begins.chain(run.iter().rev().map(|ends| (last(ends), ends.omega))).collect()
 }
 
-fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
+fn draw_window(figure: &Proofs, panel: &mut Panel<'_>) -> Result<(), DrawingError> {
     let [_, greatest] = figure.frame.x;
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     let (mut traces, mut names) = (Vec::new(), Vec::new());
@@ -114,32 +116,29 @@ fn draw_window(figure: &Proofs, panel: &Panel<'_>) -> Result<(), DrawingError> {
             let [first, last] = figure.frame.y;
             let grazing: Vec<_> = run.iter().map(|ends| (ends.begins, ends.omega)).collect();
             let area: Vec<_> = grazing.iter().copied().chain([(0.0, last), (0.0, first)]).collect();
-            panel.fill(&area, NON_IMPACTING_AREA);
-            panel
-                .canvas
-                .explain("proved: motion without impacts is stable", Sample::Area(NON_IMPACTING_AREA));
+            let drawn = panel.draw_series(panel.area(&[area], NON_IMPACTING_AREA))?;
+            let drawn = drawn.label("proved: motion without impacts is stable");
+            drawn.legend(legend::area(NON_IMPACTING_AREA))?;
             traces.push(trace(Bifurcation::NonImpactingGrazing, grazing));
             continue;
         }
-        let seen = panel.fill(&outline(run, greatest), shade(panel, RegionKind::Mps));
-        names.push((run[0].loops, seen));
+        names.push((run[0].loops, shade(panel, &[outline(run, greatest)], RegionKind::Mps)?));
         let limits = run.chunk_by(|a, b| a.at == b.at);
         traces
             .extend(limits.map(|part| trace(part[0].at, part.iter().map(|e| (e.begins, e.omega)).collect())));
         let tube = run.iter().filter(|ends| !ends.upper.is_nan());
         traces.push(trace(Bifurcation::Grazing, tube.map(|ends| (ends.upper, ends.omega)).collect()));
     }
-    let drawn = draw_curves(panel, &mut labels, traces);
+    let drawn = draw_curves(panel, &mut labels, traces)?;
     for item in figure.items.iter().filter(|item| item.object == "point") {
-        let (marker, sample, what) = if item.kind == "resonance" {
-            (Marker::Triangle, Sample::Triangle, "resonance")
+        let (marker, what) = if item.kind == "resonance" {
+            (Marker::Triangle, "resonance")
         } else {
-            (Marker::Disc, Sample::Disc, "other codimension-two point")
+            (Marker::Disc, "other codimension-two point")
         };
         let omega = 0.5 * (item.from + item.to);
-        if panel.marker(&mut labels, (item.amplitude, omega), marker).is_some() {
-            panel.canvas.explain(&format!("proved: {what}"), sample);
-        }
+        let mark = panel.mark(&mut labels, [(item.amplitude, omega)], marker)?;
+        mark.label(&format!("proved: {what}")).legend(marker.sample())?;
     }
     // The letter of a magnification stands at its point.
     for (rows, letter) in figure.magnified.chunk_by(|a, b| a.panel == b.panel).zip(MAGNIFIED) {
@@ -174,27 +173,29 @@ fn draw_magnified(
     let beside = tubes.iter().filter(|row| row.omega.abs() <= ROUNDING * high);
     let sides = beside.flat_map(|row| [row.lower.abs(), row.upper.abs()]);
     let (across, up) = (REACH * sides.fold(boxed[0].upper, f64::max), 2.0 * REACH * high);
-    let panel = Panel::new(canvas, Frame { x: [-across, across], y: [-up, up] }, bounds);
+    let mut panel = Panel::new(canvas, Frame { x: [-across, across], y: [-up, up] }, bounds)?;
     for run in tubes.chunk_by(|a, b| a.arc == b.arc) {
         let side = |of: fn(&ProofMagnified) -> f64| run.iter().map(move |row| (of(row), row.omega));
         let between = |one: fn(&ProofMagnified) -> f64, other: fn(&ProofMagnified) -> f64| -> Vec<_> {
             side(one).chain(side(other).rev()).collect()
         };
-        panel.fill(&between(|row| row.begins, |row| row.lower), shade(&panel, RegionKind::Mps));
-        panel.fill(&between(|row| row.lower, |row| row.upper), TUBE);
+        shade(&mut panel, &[between(|row| row.begins, |row| row.lower)], RegionKind::Mps)?;
+        let tube = panel.draw_series(panel.area(&[between(|row| row.lower, |row| row.upper)], TUBE))?;
+        tube.label("tube in which the GZ curve lies").legend(legend::area(TUBE))?;
         for of in [(|row| row.lower) as fn(&ProofMagnified) -> f64, |row| row.upper] {
-            panel.line(&side(of).collect::<Vec<_>>(), SIDE);
+            panel.draw_series(panel.curve(&side(of).collect::<Vec<_>>(), SIDE))?;
         }
         let limit =
             if kind.starts_with("PD") { Bifurcation::PeriodDoubling } else { Bifurcation::SaddleNode };
         let look = CurveLook::of(limit);
-        panel.line(&side(|row| row.begins).collect::<Vec<_>>(), Pen::solid(look.colours[0], look.width));
-        canvas.explain("tube in which the GZ curve lies", Sample::Area(TUBE));
+        let limit: Vec<_> = side(|row| row.begins).collect();
+        panel.draw_series(panel.curve(&limit, Pen::solid(look.colours[0], look.width)))?;
     }
     let [low, high] = [boxed[0], boxed[1]].map(|row| row.omega);
     let [left, right] = [boxed[0].lower, boxed[0].upper];
-    panel.line(&[(left, low), (right, low), (right, high), (left, high), (left, low)], BOX);
-    canvas.explain("box in which exactly one point lies", Sample::Rectangle(BOX));
+    let outline = [(left, low), (right, low), (right, high), (left, high), (left, low)];
+    let drawn = panel.draw_series(panel.curve(&outline, BOX))?;
+    drawn.label("box in which exactly one point lies").legend(legend::rectangle(BOX))?;
     let name = MAGNIFIED[place];
     let heading = format!("{name} {kind}, $p={loops}$");
     let wide = canvas.fonts.measure(&Label::parse(&heading)?, SMALL_LABEL_SIZE)?.width;

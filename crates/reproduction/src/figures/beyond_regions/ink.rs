@@ -3,7 +3,8 @@
 use grazing_drawing::geometry::placement::side_by_side;
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
-use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::elements::Stroke;
+use grazing_drawing::ink::legend;
 use grazing_drawing::ink::style::{
     BLACK, GREY, LABEL_SIZE, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, branch_pen,
 };
@@ -40,19 +41,20 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let (middle, across) = (0.5 * canvas.width, 0.5 * canvas.height);
     let upper = |left: f64, right: f64| Bounds { left, top: 36.0, right, bottom: across - 32.0 };
-    let trapesia = [
+    let [first, second] = [
         (upper(37.0, middle - 8.0), r"$a_{12}\,\alpha>0$"),
         (upper(middle + 37.0, canvas.width - 8.0), r"$a_{12}\,\alpha<0$"),
     ]
-    .map(|(bounds, name)| (Panel::new(&canvas, TRAPESIUM, bounds), name));
+    .map(|(bounds, name)| Ok::<_, DrawingError>((Panel::new(&canvas, TRAPESIUM, bounds)?, name)));
+    let mut trapesia = [first?, second?];
     let below =
         Bounds { left: 37.0, top: across + 22.0, right: canvas.width - 8.0, bottom: canvas.height - 30.0 };
-    let rotations = Panel::new(&canvas, ROTATIONS, below);
+    let mut rotations = Panel::new(&canvas, ROTATIONS, below)?;
     let regions: Vec<_> = figure.levels.chunk_by(|a, b| (a.loops, a.turns) == (b.loops, b.turns)).collect();
 
-    for (panel, name) in &trapesia {
-        panel.fill(&CORNERS, NON_IMPACTING_AREA);
-        panel.line(&CORNERS, OUTLINE);
+    for (panel, name) in &mut trapesia {
+        panel.draw_series(panel.area(&[CORNERS.to_vec()], NON_IMPACTING_AREA))?;
+        panel.draw_series(panel.curve(&CORNERS, OUTLINE))?;
         let middle = 0.5 * (panel.bounds.left + panel.bounds.right);
         canvas.text((middle, panel.bounds.top - 5.0), name, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
     }
@@ -62,12 +64,13 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
         let pen = branch_pen(loops, if turns == 1 { 0.9 } else { 0.5 });
         let in_trapesium = outline(rows, |row| [row.low, row.high]);
         let in_rotations = outline(rows, |row| [row.left, row.right]);
-        let (trapesium, _) = &trapesia[usize::from(2 * turns > loops)];
-        for (panel, places) in [(trapesium, in_trapesium), (&rotations, in_rotations)] {
+        let (trapesium, _) = &mut trapesia[usize::from(2 * turns > loops)];
+        for (panel, places) in [(trapesium, in_trapesium), (&mut rotations, in_rotations)] {
+            let line = panel.curve(&places, pen);
             if turns > 1 {
-                panel.fill(&places, area(loops));
+                panel.draw_series(panel.area(&[places], area(loops)))?;
             }
-            panel.line(&places, pen);
+            panel.draw_series(line)?;
         }
         let end = f64::from(turns) / f64::from(loops);
         names.push((rotations.spot((end, 1.0)), loops, pen));
@@ -78,7 +81,8 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
     names.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
     let boxes: Vec<(f64, f64)> = names.iter().map(|(spot, ..)| (spot.0, 8.0)).collect();
     for ((spot, loops, pen), x) in names.iter().zip(side_by_side(&boxes, 1.0)) {
-        canvas.line(&[(spot.0, spot.1 - 0.6), (x, below.top - NAMES_ABOVE + 2.0)], LEADER);
+        let leader = [(spot.0, spot.1 - 0.6), (x, below.top - NAMES_ABOVE + 2.0)];
+        canvas.draw(&Stroke::new(leader, LEADER))?;
         canvas.text(
             (x, below.top - NAMES_ABOVE),
             &format!("${loops}$"),
@@ -87,8 +91,8 @@ pub(super) fn draw(figure: &Regions, width: SheetWidth) -> Result<Sheet, Drawing
             pen.colour,
         )?;
     }
-    canvas.explain("Theorem 2.3", Sample::Line(branch_pen(2, 0.9)));
-    canvas.explain("beyond $h_p$", Sample::Area(area(3)));
+    canvas.explain("Theorem 2.3", legend::line(branch_pen(2, 0.9)))?;
+    canvas.explain("beyond $h_p$", legend::area(area(3)))?;
     for (panel, _) in &trapesia {
         panel.axes(r"$\tau$", r"$\delta$")?;
     }

@@ -3,13 +3,15 @@
 use grazing_drawing::geometry::placement::side_by_side;
 use grazing_drawing::geometry::sheet::{Bounds, Spot};
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::elements::Stroke;
 use grazing_drawing::ink::labels::{Labels, Site};
-use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::legend;
+use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::markup::Label;
 use grazing_drawing::ink::style::{
     BLACK, GREY, LABEL_SIZE, NON_IMPACTING_AREA, Pen, SMALL_LABEL_SIZE, branch_pen,
 };
-use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::Panel;
 use grazing_results::Frame;
 
 use super::{Boundaries, Boundary, BoundaryPoint};
@@ -65,30 +67,30 @@ pub(super) fn draw(figure: &Boundaries, width: SheetWidth) -> Result<Sheet, Draw
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
-    let panel = Panel::new(&canvas, TRAPESIUM_FRAME, bounds);
+    let mut panel = Panel::new(&canvas, TRAPESIUM_FRAME, bounds)?;
     let mut labels = Labels::new(&canvas, bounds);
 
     for outline in &outlines {
-        panel.fill(&outline.iter().map(place).collect::<Vec<_>>(), NON_IMPACTING_AREA);
+        let corners = outline.iter().map(place).collect();
+        panel.draw_series(panel.area(&[corners], NON_IMPACTING_AREA))?;
     }
-    canvas.explain("$g_p$", Sample::Line(resonance_pen(0)));
-    canvas.explain("$h_p$", Sample::Line(admissibility_pen(0)));
+    canvas.explain("$g_p$", legend::line(resonance_pen(0)))?;
+    canvas.explain("$h_p$", legend::line(admissibility_pen(0)))?;
     for curve in &curves {
         let (pen, _) = pen_and_name(&curve[0]);
+        let mut drawn = panel.draw_series(panel.curve(&curve.iter().map(place).collect::<Vec<_>>(), pen))?;
         if curve[0].kind == Boundary::Resonance {
-            canvas.explain(&format!("$p={}$", curve[0].loops), Sample::Line(pen));
+            drawn = drawn.label(&format!("$p={}$", curve[0].loops)).legend(legend::line(pen))?;
         }
-        for piece in panel.line(&curve.iter().map(place).collect::<Vec<_>>(), pen) {
-            labels.placer.keep_off(&piece);
-        }
+        drawn.pieces.iter().for_each(|piece| labels.placer.keep_off(piece));
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &others)?;
-    for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
-        if let Some(taken) = panel.marker(&mut labels, point, Marker::Star) {
-            let reach = 0.5 * (taken.right - taken.left);
-            labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Site::Around(panel.spot(point), reach))?;
-        }
+    let points = figure.points.iter().map(|point| (point.tau, point.delta));
+    for spot in panel.mark(&mut labels, points, Marker::Star)?.pieces.concat() {
+        let taken = Marker::Star.around(spot);
+        let reach = 0.5 * (taken.right - taken.left);
+        labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Site::Around(spot, reach))?;
     }
     for outline in &outlines {
         // Only the slanted sides are labelled; the others can be read off the axis.
@@ -127,7 +129,7 @@ fn name_above(panel: &Panel<'_>, curves: &[&[BoundaryPoint]]) -> Result<(), Draw
     for ((end, _, (pen, name)), x) in ends.iter().zip(side_by_side(&boxes, NAME_GAP)) {
         let top = panel.bounds.top;
         let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
-        panel.canvas.line(&leader, CURVE_LEADER);
+        panel.canvas.draw(&Stroke::new(leader, CURVE_LEADER))?;
         panel.canvas.text((x, top - NAMES_ABOVE), name, LABEL_SIZE, Anchor::Middle, pen.colour)?;
     }
     Ok(())

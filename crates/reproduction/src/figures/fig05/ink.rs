@@ -4,9 +4,9 @@ use grazing_drawing::geometry::clip::checked;
 use grazing_drawing::geometry::sheet::{Bounds, Spot};
 use grazing_drawing::ink::canvas::Canvas;
 use grazing_drawing::ink::labels::{Labels, Site};
-use grazing_drawing::ink::legend::Sample;
+use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, TICK_SIZE};
-use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, label, shade, text_colour};
 use grazing_results::plane::RegionKind;
 
@@ -43,26 +43,24 @@ pub(super) fn draw(figure: &UnfoldingSketch, width: SheetWidth) -> Result<Sheet,
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 45.0, top: 6.0, right: canvas.width - 7.0, bottom: canvas.height - 29.0 };
-    let panel = Panel::new(&canvas, frame, bounds);
+    let mut panel = Panel::new(&canvas, frame, bounds)?;
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(RegionKind, Vec<Spot>)> = Vec::new();
     for (kind, vertices) in &regions {
         let shape = match kind {
-            RegionKind::NonImpacting | RegionKind::Mps => panel.fill(vertices, shade(&panel, *kind)),
-            // The overlap gets its shade from the two regions that it belongs to.
-            RegionKind::Both | RegionKind::SeveralImpacts | RegionKind::Undecided => {
-                vertices.iter().map(|&vertex| panel.spot(vertex)).collect()
+            RegionKind::NonImpacting | RegionKind::Mps => {
+                shade(&mut panel, std::slice::from_ref(vertices), *kind)?
             }
+            // The overlap gets its shade from the two regions that it belongs to.
+            RegionKind::Both | RegionKind::SeveralImpacts | RegionKind::Undecided => panel.spots(vertices),
         };
         shapes.push((*kind, shape));
     }
-    let drawn = draw_curves(&panel, &mut labels, curves);
-    for point in figure.points.iter().map(|point| (point.mu, point.eta)) {
-        if panel.marker(&mut labels, point, Marker::Triangle).is_some() {
-            canvas.explain("resonant grazing bifurcation", Sample::Triangle);
-        }
-    }
+    let drawn = draw_curves(&mut panel, &mut labels, curves)?;
+    let points = figure.points.iter().map(|point| (point.mu, point.eta));
+    let marks = panel.mark(&mut labels, points, Marker::Triangle)?;
+    marks.label("resonant grazing bifurcation").legend(Marker::Triangle.sample())?;
     panel.axes(r"$\mu$", r"$\eta$")?;
     // The overlap is the narrowest region, and is labelled first.
     for (kind, shape) in shapes.iter().rev() {

@@ -5,6 +5,7 @@ use grazing_drawing::geometry::clip::checked;
 use grazing_drawing::geometry::sheet::{Bounds, Spot};
 use grazing_drawing::ink::arrow::{arrow, double_arrow};
 use grazing_drawing::ink::canvas::{Anchor, Canvas};
+use grazing_drawing::ink::elements::{Area, Stroke};
 use grazing_drawing::ink::style::{
     BLACK, GREY, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE,
     WALL_HATCHING,
@@ -45,7 +46,7 @@ const MARGIN_ABOVE: f64 = 15.0;
 pub(super) fn draw(figure: &Schematic, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let (canvas, pieces) = on_sheet(&figure.parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {
-        draw_piece(&canvas, piece);
+        draw_piece(&canvas, piece)?;
     }
     label(&canvas, &pieces)?;
     canvas.finish(
@@ -56,7 +57,7 @@ pub(super) fn draw(figure: &Schematic, width: SheetWidth) -> Result<Sheet, Drawi
     )
 }
 
-fn draw_piece(canvas: &Canvas, Piece { part, path }: &Piece) {
+fn draw_piece(canvas: &Canvas, Piece { part, path }: &Piece) -> Result<(), DrawingError> {
     let ends = [path[0], path[path.len() - 1]];
     let pen = match part {
         Part::AnchorHatching | Part::WallHatching => WALL_HATCHING,
@@ -66,13 +67,13 @@ fn draw_piece(canvas: &Canvas, Piece { part, path }: &Piece) {
         Part::Tick => AXIS,
         Part::Spring | Part::Rod | Part::Cylinder => WIRE,
         Part::Piston => PISTON,
-        Part::Wheel => return canvas.polygon(path, WALL_FACE, Some(AXIS)),
-        Part::Block => return canvas.polygon(path, BODY, Some(BODY_OUTLINE)),
+        Part::Wheel => return canvas.draw(&Area::ring(path.as_slice(), WALL_FACE, Some(AXIS))),
+        Part::Block => return canvas.draw(&Area::ring(path.as_slice(), BODY, Some(BODY_OUTLINE))),
         Part::Axis => return arrow(canvas, &ends, 0.0, AXIS),
         Part::Force => return arrow(canvas, &ends, 0.0, FORCE),
         Part::Dimension => return double_arrow(canvas, ends, AXIS),
     };
-    canvas.line(path, pen);
+    canvas.draw(&Stroke::new(path.as_slice(), pen))
 }
 
 /// A label: its part, its text, its size, and the anchor and position relative to the part.

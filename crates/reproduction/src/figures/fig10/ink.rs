@@ -5,10 +5,11 @@ use grazing_drawing::geometry::sheet::{Bounds, Spot, distance, inside};
 use grazing_drawing::ink::arrow::head_on;
 use grazing_drawing::ink::canvas::Canvas;
 use grazing_drawing::ink::labels::{Labels, Site};
+use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::style::{
     BLACK, Colour, DISC_RADIUS, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, THRESHOLD,
 };
-use grazing_drawing::plot::axes::{Marker, Panel};
+use grazing_drawing::plot::axes::Panel;
 use grazing_results::{Frame, span};
 
 use super::{Visit, VisitPath};
@@ -35,25 +36,24 @@ pub(super) fn draw(figure: &VisitPath, width: SheetWidth) -> Result<Sheet, Drawi
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 6.0, right: canvas.width - 6.0, bottom: canvas.height - 30.0 };
-    let panel = Panel::new(&canvas, frame, bounds);
+    let mut panel = Panel::new(&canvas, frame, bounds)?;
     let mut labels = Labels::new(&canvas, bounds);
 
-    panel.fill(&vertices, PATH_AREA);
-    for axis in panel.line(&[(0.0, frame.y[0]), (0.0, frame.y[1])], THRESHOLD) {
+    panel.draw_series(panel.area(std::slice::from_ref(&vertices), PATH_AREA))?;
+    let axis = panel.curve(&[(0.0, frame.y[0]), (0.0, frame.y[1])], THRESHOLD);
+    for axis in panel.draw_series(axis)?.pieces {
         labels.placer.keep_off_nameless(&axis);
     }
-    for line in panel.line(&vertices, PATH) {
+    for line in panel.draw_series(panel.curve(&vertices, PATH))?.pieces {
         labels.placer.keep_off(&line);
         for segment in line.windows(2).filter(|s| distance(s[0], s[1]) >= POINTED_LENGTH) {
-            head_on(&canvas, segment, 0.5, PATH);
+            head_on(&canvas, segment, 0.5, PATH)?;
         }
     }
-    for &vertex in &vertices {
-        panel.marker(&mut labels, vertex, Marker::Disc);
-    }
+    panel.mark(&mut labels, vertices.iter().copied(), Marker::Disc)?;
     panel.axes("$u$", "$w$")?;
     // Labels of vertices are placed outside if possible.
-    let outline: Vec<_> = vertices.iter().map(|&vertex| panel.spot(vertex)).collect();
+    let outline = panel.spots(&vertices);
     labels.placer.avoid(inner_spots(&outline));
     for (Visit { visit, .. }, &vertex) in figure.path.iter().zip(&vertices) {
         let text = format!(r"$(u^{{({visit})}},\,w^{{({visit})}})$");
