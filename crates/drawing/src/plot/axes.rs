@@ -291,6 +291,7 @@ pub(crate) fn overhang(fonts: &Fonts, [low, high]: [f64; 2], width: f64) -> Resu
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ink::legend::line;
 
     /// The mark of a panel with these titles that shows a plane with these names.
     fn marked(titles: [&str; 2], names: &Names) -> String {
@@ -305,6 +306,32 @@ mod tests {
         panel.mark_frame(titles);
         let svg = canvas.finish("test", "", "").unwrap().svg();
         svg.lines().find(|line| line.contains("panel")).unwrap().to_owned()
+    }
+
+    #[test]
+    fn what_is_not_seen_has_no_marker_and_no_entry_in_the_legend_and_a_meaning_has_one() {
+        let canvas = Canvas::new(100.0, 100.0).unwrap();
+        let bounds = Bounds { left: 10.0, top: 20.0, right: 90.5, bottom: 80.0 };
+        let frame = Frame { x: [0.0, 1.0], y: [0.0, 1.0] };
+        let mut panel = Panel::new(&canvas, frame, bounds).unwrap();
+        assert_eq!(panel.spots(&[(0.0, 0.0), (1.0, 1.0)]), [(10.0, 80.0), (90.5, 20.0)]);
+        let mut labels = Labels::new(&canvas, bounds);
+        let mut drawn = |points: &[(f64, f64)], meaning| {
+            let series = panel.draw_series(panel.curve(points, FRAME)).unwrap();
+            series.label(meaning).legend(line(FRAME)).unwrap().pieces
+        };
+        assert!(drawn(&[(2.0, 0.0), (3.0, 1.0)], "beyond").is_empty());
+        assert_eq!(drawn(&[(0.0, 0.0), (2.0, 2.0)], "line"), [[(10.0, 80.0), (90.5, 20.0)]]);
+        assert_eq!(
+            drawn(&[(0.0, 0.5), (0.5, 0.5), (f64::NAN, 0.5), (0.6, 0.5), (1.0, 0.5)], "line").len(),
+            2
+        );
+        let marks = panel.mark(&mut labels, [(2.0, 0.5), (1.0, 1.0)], Marker::Disc).unwrap();
+        assert_eq!(marks.label("disc").legend(Marker::Disc.sample()).unwrap().pieces, [[(90.5, 20.0)]]);
+        let sheet = canvas.finish("test", "", "").unwrap();
+        let meanings: Vec<&str> = sheet.legend.iter().map(|(meaning, _)| meaning.as_str()).collect();
+        assert_eq!(meanings, ["line", "disc"]);
+        assert_eq!(sheet.short_body().matches("<circle").count(), 1);
     }
 
     #[test]
