@@ -58,7 +58,8 @@ pub(super) fn draw(figure: &Generations, width: SheetWidth) -> Result<Sheet, Dra
         "beyond_generations",
         "Resonances of motion that already hits the wall",
         "Above: forcing amplitude across, frequency up. Grey: the curves of Figure 7. Triangles: resonances on the curves along which its \
-         maximal periodic solutions graze; in colours, the curves of solutions with more impacts that leave them. Below: three of these \
+         maximal periodic solutions graze; in colours, the curves of solutions with more impacts that leave them. Shaded: a solution \
+         with K impacts in P periods is stable, K/P. Below: three of these \
          resonances magnified, with the quadratic approximations of the theorems dashed.",
     )
 }
