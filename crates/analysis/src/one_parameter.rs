@@ -44,15 +44,20 @@ fn weigh(found: &mut OneParameter, description: &Description) {
         (a.sweep, a.orbit, a.primary, a.secondary) == (b.sweep, b.orbit, b.primary, b.secondary)
     };
     for orbit in found.motion.chunk_by_mut(same) {
-        let (parameters, impacts) = ([orbit[0].primary, orbit[0].secondary], orbit[0].impacts);
-        let rate = impacts / period(parameters) / orbit.len() as f64;
+        let MotionReading { primary, secondary, impacts, rests, periods, .. } = orbit[0];
+        let parameters = [primary, secondary];
+        // Where impacts accumulate, those that have rows are of one cycle, and the others weigh nothing.
+        let cycles = if impacts.is_finite() { impacts / orbit.len() as f64 } else { 1.0 / periods };
+        let rate = cycles / period(parameters);
         let mut sum = [0.0; 2];
         for row in orbit.iter_mut() {
             let [impulse, loss] = impact(row.impact_velocity, row.impact_phase, parameters);
             row.impulse = impulse;
             sum = [sum[0] + impulse, sum[1] + loss];
         }
-        orbit.iter_mut().for_each(|row| (row.force, row.power) = (sum[0] * rate, sum[1] * rate));
+        // At rest the wall bears a force that is no impulse.
+        let force = if rests > 0.0 { f64::NAN } else { sum[0] * rate };
+        orbit.iter_mut().for_each(|row| (row.force, row.power) = (force, sum[1] * rate));
     }
 }
 

@@ -10,8 +10,8 @@ use grazing_results::place::{
     AtPlace, BasinState, PlaceAttractor, PlaceImpact, PlaceMotion, PlaceSolution, Simulated, SimulatedImpact,
     SimulatedMotion,
 };
-use grazing_unfold::long_time::{MotionKind, Trajectory, is_held_at_wall};
-use grazing_unfold::place::{Attractor, Place, Starts};
+use grazing_unfold::long_time::{MotionKind, Trajectory};
+use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Progress;
 
 use crate::described::Prepared;
@@ -66,16 +66,11 @@ pub fn simulated(
     let end = match found.end {
         OrbitEnd::TimeIsUp(end) if end.position.is_finite() => "the time is over".to_owned(),
         OrbitEnd::TimeIsUp(_) => "it cannot be followed".to_owned(),
-        OrbitEnd::Sticking { time: at, .. } | OrbitEnd::Chattering { time: at, .. } => {
-            let how = match found.end {
-                OrbitEnd::Sticking { .. } => "it comes to rest at the wall",
-                _ => "impacts accumulate at the wall",
-            };
-            let then = match is_held_at_wall(&here) {
-                true => "where the force holds it for whole periods",
-                false => "not followed further",
-            };
-            format!("{how} at t = {}; {then}", time(begin + at))
+        OrbitEnd::Resting { rest, held } => {
+            let at = time(begin + rest.start);
+            let then =
+                if held { ", where the force holds it for whole periods" } else { "; the time is over" };
+            format!("it comes to rest at the wall at t = {at}{then}")
         }
         OrbitEnd::TooManyImpacts { impacts, .. } => format!("there are more than {impacts} impacts"),
     };
@@ -125,9 +120,7 @@ pub fn at_place(
             admissible: solution.admissible,
         });
     }
-    // Motion that is not followed further is no attractor, and comes last.
-    let followed = |one: &Attractor| one.fate.kind != MotionKind::Accumulating;
-    let number = |index: usize| if followed(&found.attractors[index]) { index as u32 + 1 } else { 0 };
+    let number = |index: usize| index as u32 + 1;
     for (index, one) in found.attractors.iter().enumerate() {
         let attractor = number(index);
         all.attractors.push(PlaceAttractor {
@@ -136,10 +129,11 @@ pub fn at_place(
             primary,
             attractor,
             states: one.states,
-            share: if followed(one) { f64::from(one.states) / f64::from(starts.states) } else { f64::NAN },
+            share: f64::from(one.states) / f64::from(starts.states),
             motion: one.fate.kind.name(),
             periods: one.fate.periods.map_or(f64::NAN, f64::from),
             impacts: one.fate.impacts,
+            rests: one.fate.rests,
             exponent: one.exponent.mean / units.time,
             exponent_error: one.exponent.error / units.time,
         });

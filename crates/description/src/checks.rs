@@ -51,7 +51,7 @@ pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<Stri
     }
     let going = || parameters.iter().take_while(|_| !stop.is_asked());
     let notes = [
-        going().find_map(|&at| sampler.lively(at)),
+        going().find_map(|&at| sampler.unusual(at)),
         sampler.unsprung(going()),
         going().find_map(|&at| sampler.undamped(at)),
         going().find_map(|&at| sampler.in_hertz(at)),
@@ -154,22 +154,25 @@ impl<'a> Sampler<'a> {
     fn restitution(&self, [mu, eta]: [f64; 2]) -> Checked {
         let restitution = |y, z| self.description.restitution(y, z, mu, eta);
         self.reset(&self.places.restitution, 1.0, [mu, eta], restitution, |value| {
-            (value <= 0.0).then_some("it must be positive, or the rebound does not leave the wall")
+            (value < 0.0).then_some("it must not be negative, or the rebound goes through the wall")
         })
     }
 
-    /// A note if the restitution exceeds one.
-    fn lively(&self, [mu, eta]: [f64; 2]) -> Option<String> {
+    /// A note if the restitution exceeds one, or is zero.
+    fn unusual(&self, [mu, eta]: [f64; 2]) -> Option<String> {
         let samples = self.impact_velocities().into_iter().flat_map(|y| SHARES.map(|share| (y, share * TAU)));
         let (y, z, value) = samples
             .map(|(y, z)| (y, z, self.description.restitution(y, z, mu, eta)))
-            .find(|(_, _, value)| *value > 1.0)?;
+            .find(|(_, _, value)| *value > 1.0 || *value == 0.0)?;
         let place = &self.places.restitution;
         let at = self.point([mu, eta], &[("y", y), ("z", z)]);
-        Some(format!(
-            "{place}: the restitution is {} at {at}: it is above 1, so impacts drive the oscillator; the analysis uses it as it is",
-            rounded(value)
-        ))
+        let so = if value > 1.0 {
+            "it is above 1, so impacts drive the oscillator; the analysis uses it as it is"
+        } else {
+            "impacts are plastic, and motion sticks where the force presses, which simulation alone shows (--at, \
+             [[diagrams]]): MPSs are those that leave the wall at once, and the paper's theorems ask for a positive restitution"
+        };
+        Some(format!("{place}: the restitution is {} at {at}: {so}", rounded(value)))
     }
 
     /// A note if the force grows with the distance from rest wherever it is tried.

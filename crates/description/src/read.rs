@@ -23,7 +23,7 @@ impl Description {
 
     /// Checks the text of a description; `file` is the name that messages use.
     ///
-    /// Φ > 0, ω > 0 and the periods of F, Φ and Ψ are checked at samples of the ranges.
+    /// Φ ≥ 0, ω > 0 and the periods of F, Φ and Ψ are checked at samples of the ranges.
     ///
     /// # Errors
     /// [`DescriptionError`], the first error in the text, with its line.

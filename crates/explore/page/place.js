@@ -29,15 +29,20 @@ function speak(words) {
   speaking = setTimeout(() => ($("announce").textContent = words), SPEAKS);
 }
 
-const KINDS = { "non-impacting": "No impacts", chaotic: "Chaos", resting: "Rests at the wall", accumulating: "Impacts accumulate at the wall; not followed further", escaping: "Escapes" };
+const KINDS = { "non-impacting": "No impacts", chaotic: "Chaos", resting: "Rests at the wall", escaping: "Escapes" };
 
 /** The name of an attractor. */
-function nameOf({ kind, periods, impacts, loops, waited }) {
+function nameOf({ kind, periods, impacts, rests, loops, waited }) {
   if (kind === "unsettled") return `Not settled after ${waited} periods`;
   if (kind === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
   if (kind !== "periodic") return KINDS[kind] ?? kind;
   if (loops) return `MPS, ${count(loops, "loop")}`;
-  const struck = Math.round(impacts * periods);
+  // Infinitely many impacts are null.
+  const struck = Math.round((impacts ?? 0) * periods);
+  if (rests) {
+    const rest = rests * periods > 1.5 ? count(Math.round(rests * periods), "rest") : "a rest";
+    return `Periodic: ${impacts === null ? `chatter and ${rest}` : `${count(struck, "impact")} and ${rest}`} in ${count(periods, "period")}`;
+  }
   if (struck === 1) return `MPS, ${count(periods, "loop")}`;
   return `Periodic: ${count(struck, "impact")} in ${count(periods, "period")}`;
 }
@@ -46,9 +51,6 @@ function nameOf({ kind, periods, impacts, loops, waited }) {
 const mps = ({ p, velocity }) => (p === 0 ? KINDS["non-impacting"] : `MPS, ${count(p, "loop")}, velocity ${number(velocity, 3)}`);
 
 const percent = (share) => `${Math.round(100 * share)} %`;
-/** The share of the states that reach an attractor, or the number of those whose motion is not followed further. */
-const shareOf = ({ share, states }, all) => (share === null ? `${states} of ${all} states` : percent(share));
-
 /** The keys of solutions, "p-k" for the k-th with this p. */
 function keysOf(solutions) {
   const counts = new Map();
@@ -211,18 +213,19 @@ class Card {
     const { attractors, solutions } = this.answer;
     const inks = attractorInks(attractors);
     const missed = this.missed();
-    this.short.textContent = [...attractors.map((each) => `${nameOf(each)} ${shareOf(each, this.answer.states)}`), ...missed.map((each) => `${mps(each)}: stable, not reached`)].join("; ");
+    this.short.textContent = [...attractors.map((each) => `${nameOf(each)} ${percent(each.share)}`), ...missed.map((each) => `${mps(each)}: stable, not reached`)].join("; ");
     const rows = attractors.map((each, index) => {
       const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
       swatch.style.background = inks[index];
       const share = make("span", { class: "share" });
       share.style.width = `${100 * each.share}%`;
       share.style.background = inks[index];
-      const rates = ["non-impacting", "accumulating"].includes(each.kind) ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} per period`];
+      const rates = each.kind === "non-impacting" || each.impacts === null ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} per period`];
       const sure = each.exponent_error > 0 ? ` ± ${number(each.exponent_error, 1)}` : "";
-      const exponent = each.exponent === null ? [] : [rates.length ? " · " : "", make("span", { title: "Displacements grow like exp(λt)" }, "largest Lyapunov exponent ", make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}${description.units.time ? ` / ${description.units.time}` : ""}`)];
+      const forgets = each.rests && each.periods ? [rates.length ? " · " : "", "forgets its state at rest: multipliers 0"] : [];
+      const exponent = each.exponent === null ? forgets : [rates.length ? " · " : "", make("span", { title: "Displacements grow like exp(λt)" }, "largest Lyapunov exponent ", make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}${description.units.time ? ` / ${description.units.time}` : ""}`)];
       const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it for four times as long", onclick: () => this.goOn(4 * each.waited) }, "Continue")] : [];
-      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the initial states that reach it" }, shareOf(each, this.answer.states)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
+      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the initial states that reach it" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
     });
     const starts = count(this.answer.states, "random start");
     const others = missed.map((each) => {
@@ -302,7 +305,7 @@ class Card {
   announce(at) {
     const { attractors, solutions } = this.answer;
     const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
-    const found = attractors.map((each) => `${nameOf(each)}, ${each.share === null ? shareOf(each, this.answer.states) : `${percent(each.share)} of the states`}`).join("; ");
+    const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of the states`).join("; ");
     const stable = solutions.filter((each) => each.p > 0 && each.stability === "stable" && each.admissible).map(({ p }) => p);
     const missed = this.missed().map(({ p }) => p);
     speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${stable.length ? `Stable and admissible: p = ${stable.join(", ")}.` : "No MPS is stable and admissible."}${missed.length ? ` Reached by none of the ${this.answer.states} states: p = ${missed.join(", ")}.` : ""}`);

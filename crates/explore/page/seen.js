@@ -24,8 +24,8 @@ function simulated() {
   const { columns, rows, cells, view } = tiles.simulated();
   const at = ([low, high], place, count) => low + ((place + 0.5) / count) * (high - low);
   return [
-    [...axes(), "loops", "periods", "impacts a period", "followed to its end"],
-    ...cells.filter(([, , loops]) => loops !== undefined).map(([column, row, loops, periods, impacts, followed]) => [at(view.primary, column, columns), at(view.secondary, row, rows), loops, periods, impacts, followed ? 1 : 0]),
+    [...axes(), "loops", "periods", "impacts a period", "rests at the wall"],
+    ...cells.filter(([, , loops]) => loops !== undefined).map(([column, row, loops, periods, impacts, rests]) => [at(view.primary, column, columns), at(view.secondary, row, rows), loops, periods, impacts, rests ? 1 : 0]),
   ];
 }
 

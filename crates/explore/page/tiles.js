@@ -19,9 +19,9 @@ let current = null;
 const status = (words) => ($("tiles-status").textContent = words);
 
 /** The colour of a cell; where the oscillator is not valid there is none. */
-function colourOf([, , loops, periods, , followed], ink) {
+function colourOf([, , loops, periods, , rests], ink) {
   if (loops === undefined) return "transparent";
-  if (!followed) return ink.muted;
+  if (rests) return ink.muted;
   if (loops === 0) return ink.calm;
   if (loops !== null) return loopsInk(loops, ink);
   return periods === null ? ink.irregular : ink.periodic;
@@ -207,7 +207,7 @@ export const shaded = () => state.get().overlay && judgeSoon();
 function colours() {
   const ink = inks();
   const loops = loopsNames().map((word, p) => [loopsInk(p, ink), word]).slice(1);
-  const entries = [[ink.calm, "no impacts"], ...loops, [ink.periodic, "other periodic motion"], [ink.irregular, "longer periods, or chaos"], [ink.muted, "impacts accumulate; not followed further"]];
+  const entries = [[ink.calm, "no impacts"], ...loops, [ink.periodic, "other periodic motion"], [ink.irregular, "longer periods, or chaos"], [ink.muted, "rests at the wall"]];
   const entry = ([colour, word]) => {
     const swatch = make("span", { class: "tile", "aria-hidden": "true" });
     swatch.style.background = colour;

@@ -6,7 +6,7 @@ use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::Stability;
-use grazing_unfold::long_time::{Horizon, MotionKind};
+use grazing_unfold::long_time::Horizon;
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -113,8 +113,6 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     };
     let found = found.ok_or_else(Problem::ended)?;
     let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
-    // Motion that is not followed further is no attractor.
-    let followed = |one: &Attractor| one.fate.kind != MotionKind::Accumulating;
     let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits.unwrap_or(true) {
         true => flights.iter().map(|flight| in_units(flight, &units)).collect(),
         false => Vec::new(),
@@ -137,13 +135,14 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         let Attractor { states: own_states, fate, exponent, flights: own, strikes, state } = attractor;
         let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
         json!({
-            "share": followed(attractor).then(|| f64::from(*own_states) / f64::from(states)),
+            "share": f64::from(*own_states) / f64::from(states),
             "states": own_states,
             "state": [state.position, state.velocity, state.phase],
             "kind": fate.kind.name(),
             "loops": fate.loops(),
             "periods": fate.periods,
             "impacts": fate.impacts,
+            "rests": fate.rests,
             "waited": fate.followed,
             "exponent": exponent.mean / units.time,
             "exponent_error": exponent.error / units.time,

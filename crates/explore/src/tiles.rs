@@ -83,8 +83,8 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
                 // A place always has the same initial state, whatever was computed before.
                 let mut random = random(column, row);
                 let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;
-                let followed = fate.kind != MotionKind::Accumulating;
-                json!([column, row, fate.loops(), fate.periods, fate.impacts, followed])
+                let rests = fate.rests > 0.0 || fate.kind == MotionKind::Resting;
+                json!([column, row, fate.loops(), fate.periods, fate.impacts, rests])
             });
             let cells: Vec<Value> = cells.collect();
             if events.stopped() {

@@ -6,9 +6,9 @@ use grazing_analysis::plane::Axes;
 use grazing_continuation::mps::unknown;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
-use grazing_results::branches::ACCUMULATING;
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
+use grazing_results::place::struck;
 use grazing_unfold::Diagram;
 use grazing_unfold::long_time::{Fate, MotionKind};
 use grazing_unfold::place::{Place, Starts};
@@ -281,8 +281,8 @@ fn stable((_, region): (u32, &Region)) -> String {
     if region.loops == 0 { "no impacts".to_owned() } else { format!("p = {}", region.loops) }
 }
 
-/// The forcing periods in the period of an attractor, and the impacts in them; none unless it is
-/// periodic.
+/// The forcing periods in the period of an attractor, and the impacts in them, ∞ where they accumulate;
+/// none unless it is periodic.
 fn impacts(fate: &Fate) -> Option<(u32, f64)> {
     fate.periods.map(|periods| (periods, fate.impacts * f64::from(periods)))
 }
@@ -300,8 +300,8 @@ fn is_seen(fate: &Fate, seen: Seen) -> bool {
 /// An attractor in words.
 fn words(fate: &Fate) -> String {
     match impacts(fate) {
+        Some((periods, _)) if fate.rests > 0.0 => struck(f64::from(periods), [fate.impacts, fate.rests]),
         Some((periods, impacts)) => format!("{impacts:.0} impacts in {periods} periods"),
-        None if fate.kind == MotionKind::Accumulating => ACCUMULATING.to_owned(),
         None => fate.kind.name().to_owned(),
     }
 }

@@ -56,6 +56,7 @@ pub mod orbit;
 mod oscillator;
 mod passage;
 pub mod phase;
+pub mod rest;
 mod scalar;
 pub mod smooth;
 mod state;

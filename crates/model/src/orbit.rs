@@ -1,12 +1,13 @@
 //! Orbits of the hybrid system eq:f with eq:resetLaw: motion and impacts.
 
-use crate::motion::Motion;
+use crate::motion::{Crossing, Motion};
 use crate::oscillator::ImpactOscillator;
 use crate::phase::turned;
+use crate::rest::{Rest, accumulation, release};
 use crate::state::{OnWall, State};
-use crate::tolerances::CHATTER_VELOCITY;
+use crate::tolerances::{CLEAR_OF_WALL, NOT_CLEAR_YET, SLOW_RECOIL};
 
-/// A flight between two events of an orbit.
+/// A flight between two events of an orbit, and the rest at the wall from which it was released.
 #[derive(Clone, Debug)]
 pub struct Flight<M> {
     /// Time at which the flight begins, counted from the start of the orbit; impacts may take time
@@ -20,6 +21,8 @@ pub struct Flight<M> {
     pub duration: f64,
     /// How the flight ends.
     pub end: FlightEnd,
+    /// The rest at the wall that ends where the flight begins.
+    pub rest: Option<Rest>,
 }
 
 /// How a flight ends.
@@ -36,23 +39,12 @@ pub enum FlightEnd {
 pub enum OrbitEnd {
     /// Followed for the whole time, ending in this state.
     TimeIsUp(State),
-    /// The object is pressed against the wall (y = 0 and ẍ ≥ 0 at x = 0) and stays there until the
-    /// force turns.
-    Sticking {
-        /// Time at which it sticks.
-        time: f64,
-        /// Phase at which it sticks.
-        phase: f64,
-    },
-    /// Infinitely many impacts accumulate: impact velocities fell below the resolution while ẍ > 0
-    /// at the wall, so that they go on falling geometrically to a sticking state.
-    Chattering {
-        /// Time of the last impact that was resolved.
-        time: f64,
-        /// Phase at the last impact that was resolved.
-        phase: f64,
-        /// Number of impacts up to that time.
-        impacts: usize,
+    /// At rest at the wall at the end of the time.
+    Resting {
+        /// The rest up to then.
+        rest: Rest,
+        /// Whether the force holds it there for a whole period, and so for good.
+        held: bool,
     },
     /// The number of impacts reached its limit.
     TooManyImpacts {
@@ -65,6 +57,12 @@ pub enum OrbitEnd {
 
 /// An orbit with impacts as an iterator over its flights.
 ///
+/// Where the force presses, impacts accumulate: their velocities fall in a geometric sequence, and
+/// infinitely many take a finite time. Those that are too slow to be told apart are left out; their
+/// total duration is summed up, with an error of about 10⁻¹¹ for motion of order one. Then the
+/// motion rests at the wall until the force turns, and the next flight begins from there. So does
+/// motion that begins at rest at the wall, and recoil without velocity.
+///
 /// After the iterator has ended, [`end`](Self::end) gives the reason. Phases are reduced modulo 2π
 /// at every impact (eq:z).
 #[derive(Clone, Debug)]
@@ -75,6 +73,8 @@ pub struct Orbit<'a, O> {
     horizon: f64,
     impacts: usize,
     impact_limit: usize,
+    /// The rest that ends where the next flight begins.
+    rest: Option<Rest>,
     end: Option<OrbitEnd>,
 }
 
@@ -91,12 +91,13 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
             horizon,
             impacts: 0,
             impact_limit,
+            rest: None,
             end: None,
         };
         if from.position >= 0.0 && from.velocity > 0.0 {
             orbit.reset();
         } else {
-            orbit.check_contact();
+            orbit.come_to_rest(false);
         }
         orbit
     }
@@ -106,7 +107,7 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
         self.end
     }
 
-    /// Number of impacts so far.
+    /// Number of impacts so far, without those that are left out where impacts accumulate.
     pub fn impacts(&self) -> usize {
         self.impacts
     }
@@ -119,29 +120,62 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
 
     fn reset(&mut self) {
         self.impacts += 1;
-        let impact_velocity = self.state.velocity;
-        let recoil: State =
-            self.oscillator.reset::<1>(OnWall::new(impact_velocity, self.state.phase)).image().into();
+        let impact = OnWall::new(self.state.velocity, self.state.phase);
+        let recoil: State = self.oscillator.reset::<1>(impact).image().into();
         self.time += (recoil.phase - self.state.phase) / self.oscillator.forcing_frequency().value;
         self.state = wrapped(recoil);
-        let pressed = || self.oscillator.acceleration(State::on_wall(0.0, self.state.phase)) > 0.0;
-        if impact_velocity < CHATTER_VELOCITY && pressed() {
-            self.end = Some(OrbitEnd::Chattering {
-                time: self.time,
-                phase: self.state.phase,
-                impacts: self.impacts,
-            });
-        } else if self.impacts >= self.impact_limit {
+        if self.impacts >= self.impact_limit {
             self.end = Some(OrbitEnd::TooManyImpacts { time: self.time, impacts: self.impacts });
+            return;
         }
-        self.check_contact();
+        let slow = -SLOW_RECOIL < self.state.velocity && self.state.velocity < 0.0;
+        let accumulated = slow.then(|| accumulation(self.oscillator, self.state)).flatten();
+        if let Some(accumulated) = &accumulated {
+            self.time += accumulated.duration;
+            self.state = wrapped(accumulated.state);
+        }
+        self.come_to_rest(accumulated.is_some());
     }
 
-    fn check_contact(&mut self) {
-        let resting = self.state.position >= 0.0 && self.state.velocity == 0.0;
-        if self.end.is_none() && resting && self.oscillator.acceleration(self.state) >= 0.0 {
-            self.end = Some(OrbitEnd::Sticking { time: self.time, phase: self.state.phase });
+    /// Waits at the wall while the force presses, if the motion is at rest there.
+    fn come_to_rest(&mut self, accumulated: bool) {
+        let State { position, velocity, phase } = self.state;
+        let rests = position >= 0.0 && velocity == 0.0 && self.time < self.horizon;
+        if !rests || self.oscillator.acceleration(self.state) < 0.0 {
+            return;
         }
+        let released = release(self.oscillator, phase);
+        let frequency = self.oscillator.forcing_frequency().value;
+        let duration = released.map_or(f64::INFINITY, |released| (released - phase) / frequency);
+        let left = self.horizon - self.time;
+        let rest = Rest { start: self.time, phase, duration: duration.min(left), accumulated };
+        match released {
+            Some(released) if duration < left => {
+                self.time += duration;
+                self.state = wrapped(State::on_wall(0.0, released));
+                self.rest = Some(rest);
+            }
+            _ => self.end = Some(OrbitEnd::Resting { rest, held: released.is_none() }),
+        }
+    }
+
+    /// The first crossing of a motion that leaves the wall from rest: from where it is clear of the wall,
+    /// since x is nothing but rounding before.
+    fn return_to_wall(&self, motion: &O::Motion, horizon: f64) -> Option<Crossing> {
+        let mut clear = NOT_CLEAR_YET;
+        while clear < horizon {
+            let there = motion.at(clear);
+            if there.position < -CLEAR_OF_WALL {
+                let phase = self.state.phase + self.oscillator.forcing_frequency().value * clear;
+                let crossing = self.oscillator.motion(there.state(phase)).first_crossing(horizon - clear)?;
+                return Some(Crossing { time: clear + crossing.time, ..crossing });
+            }
+            if there.position > CLEAR_OF_WALL {
+                return motion.first_crossing(horizon);
+            }
+            clear *= 2.0;
+        }
+        None
     }
 }
 
@@ -152,7 +186,7 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
         if self.end.is_some() {
             return None;
         }
-        let (start, from) = (self.time, self.state);
+        let (start, from, rest) = (self.time, self.state, self.rest.take());
         let left = self.horizon - start;
         if left < 0.0 {
             // The time was up during an impact.
@@ -160,7 +194,8 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
             return None;
         }
         let motion = self.oscillator.motion(from);
-        let crossing = motion.first_crossing(left);
+        let leaves = from.position >= 0.0 && from.velocity == 0.0;
+        let crossing = if leaves { self.return_to_wall(&motion, left) } else { motion.first_crossing(left) };
         let duration = crossing.map_or(left, |crossing| crossing.time);
         let phase = from.phase + self.oscillator.forcing_frequency().value * duration;
         self.time += duration;
@@ -175,7 +210,7 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
             self.end = Some(OrbitEnd::TimeIsUp(last));
             FlightEnd::TimeIsUp(last)
         };
-        Some(Flight { start, from, motion, duration, end })
+        Some(Flight { start, from, motion, duration, end, rest })
     }
 }
 

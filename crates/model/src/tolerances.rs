@@ -35,10 +35,29 @@ pub(crate) const MOST_PERIODS: f64 = 20.0;
 /// Either method for an event time converges within this many steps or is lost.
 pub(crate) const MOST_ITERATIONS: usize = 50;
 
-/// Impacts slower than this, pressed by ẍ > 0, count as accumulated: a flight then rises v²/2ẍ from
-/// the wall, near the rounding of x, and what is left of the sequence lasts about 10⁻⁶ (for
-/// accelerations of order one).
-pub(crate) const CHATTER_VELOCITY: f64 = 1e-6;
+/// Recoil slower than this, pressed by ẍ > 0, may be too slow to be followed impact by impact.
+pub(crate) const SLOW_RECOIL: f64 = 1e-3;
+
+/// Rounding of the position of motion of the order of one.
+pub(crate) const ROUNDING_OF_POSITION: f64 = 1e-15;
+
+/// Time by which the last flights of impacts that accumulate, as a geometric series, may be wrong.
+pub(crate) const GEOMETRIC: f64 = 1e-13;
+
+/// A flight that rises less than this from the wall is lost in rounding of x, some 10⁻¹⁶, of which
+/// two or three digits must be left.
+pub(crate) const LEAST_RISE: f64 = 1e-13;
+
+/// Impacts that are too slow to be followed are summed up to this number: with a restitution of
+/// 0.9999 a hundred thousand are left, and with more flights soon are below rounding, as rest is.
+pub(crate) const MOST_IMPACTS_LEFT: u32 = 200_000;
+
+/// Motion that leaves the wall from rest is clear of it at this distance, far above rounding of x.
+pub(crate) const CLEAR_OF_WALL: f64 = 1e-12;
+
+/// A time in which motion that leaves the wall from rest is not clear of it, for forces that change by
+/// less than 10³ in a unit of time (0.6 · 10⁻⁵ would be).
+pub(crate) const NOT_CLEAR_YET: f64 = 1e-6;
 
 /// A motion in closed form ends after this many strides: no orbit is followed for more than some
 /// thousand forcing periods, which are as many strides at a thousandth of the natural frequency,

@@ -98,16 +98,13 @@ macro_rules! diagram_rows {
 
 diagram_rows!(BranchPoint, BranchBifurcation, AttractorPoint, PortraitPoint, Reading, MotionReading);
 
-/// Numbers of simulated orbits, and of those among them that leave no points, or only those up to where
-/// they are not followed further.
+/// Numbers of simulated orbits, and of those among them that leave no points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Orbits {
     /// All orbits.
     pub all: u32,
     /// Orbits that rest at the wall, where the force holds them for a whole period.
     pub resting: u32,
-    /// Orbits whose impacts accumulate at the wall.
-    pub accumulating: u32,
     /// Orbits that cannot be followed.
     pub escaping: u32,
 }
@@ -119,16 +116,14 @@ impl Orbits {
         Self {
             all: self.all + other.all,
             resting: self.resting + other.resting,
-            accumulating: self.accumulating + other.accumulating,
             escaping: self.escaping + other.escaping,
         }
     }
 
     /// The orbits that are left out, in words, by reason.
     pub fn left_out(&self) -> Vec<String> {
-        let Self { all, resting, accumulating, escaping } = *self;
+        let Self { all, resting, escaping } = *self;
         let reasons = [
-            (accumulating, ACCUMULATING),
             (resting, "the force holds them at rest at the wall"),
             (escaping, "they run away, or cannot be followed"),
         ];
@@ -136,9 +131,6 @@ impl Orbits {
         some.map(|(count, reason)| format!("{count} of {all} simulated orbits: {reason}")).collect()
     }
 }
-
-/// What happens to motion that is not followed further.
-pub const ACCUMULATING: &str = "impacts accumulate at the wall; not followed further";
 
 tables! {
     /// A one-parameter diagram of an oscillator; Figure 2 is one.

@@ -135,7 +135,7 @@ columns! {
     PEAK_TO_PEAK = "peak_to_peak", "", "length";
     /// m (1 + Φ) y, the momentum transferred to the wall at the impact; empty if the file gives no mass
     IMPULSE = "impulse", "", "mass*length/time";
-    /// mean force on the wall: the impulses over a time, divided by that time; empty if the file gives no mass
+    /// mean force on the wall: the impulses over a time, divided by that time; empty if the file gives no mass, and for motion that rests at the wall
     MEAN_FORCE = "mean_force", "", "mass*length/time^2";
     /// mean power dissipated by impacts: m/2 (1 − Φ²) y² of the impacts over a time, divided by that time; empty if the file gives no mass
     POWER = "power", "", "mass*length^2/time^3";
@@ -147,9 +147,9 @@ columns! {
     ATTRACTOR = "attractor", "", "1";
     /// number of the random states that reach it
     STATES_THAT_REACH = "states", "", "1";
-    /// share of the random states that reach it; empty for motion that is not followed further
+    /// share of the random states that reach it
     SHARE = "share", "", "1";
-    /// largest Lyapunov exponent: displacements grow like exp(λt)
+    /// largest Lyapunov exponent: displacements grow like exp(λt); empty for motion that rests at the wall, which forgets its state (its multipliers are 0)
     LYAPUNOV = "lyapunov_exponent", r"\lambda", "1/time";
     /// its estimated error
     LYAPUNOV_ERROR = "lyapunov_error", "", "1/time";
@@ -163,12 +163,14 @@ columns! {
     X_OF_START = "start_x", "x", "length";
     /// number of the orbit among those at the same value of the parameter
     ORBIT = "orbit", "", "1";
-    /// long-term behaviour: `non-impacting`, `periodic`, `chaotic`, `resting` (held at the wall by the force for a whole period), `accumulating` (impacts accumulate at the wall, where motion is not followed further), `escaping`, or `unsettled` if it could not be decided
+    /// long-term behaviour: `non-impacting`, `periodic`, `chaotic`, `resting` (held at the wall by the force for a whole period), `escaping`, or `unsettled` if it could not be decided
     MOTION = "motion", "", "1";
     /// period, in forcing periods; empty if the motion is not periodic
     PERIODS = "periods", "", "1";
-    /// mean number of impacts per forcing period
+    /// mean number of impacts per forcing period; empty where infinitely many accumulate at the wall
     IMPACTS_PER_PERIOD = "impacts", "", "1";
+    /// mean number of rests at the wall per forcing period, each until the force turns
+    RESTS_PER_PERIOD = "rests", "", "1";
     /// virtual x of the impact on Π; without impacts, the highest position
     X_OF_IMPACT = "x", "x", "length";
 }

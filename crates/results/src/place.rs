@@ -1,11 +1,9 @@
 //! The behaviour of an oscillator at one place of the parameter plane.
 
-use crate::branches::ACCUMULATING;
 use crate::{Names, Stability, Table, Tables, brief, rows, tables};
 
 rows! {
-    /// An attractor that some of the initial states lead to, or, with the number 0, the motion from them
-    /// that is not followed further.
+    /// An attractor that some of the initial states lead to.
     PlaceAttractor {
         place: u32 = PLACE,
         secondary: f64 = SECONDARY,
@@ -16,6 +14,7 @@ rows! {
         motion: &'static str = MOTION,
         periods: f64 = PERIODS,
         impacts: f64 = IMPACTS_PER_PERIOD,
+        rests: f64 = RESTS_PER_PERIOD,
         exponent: f64 = LYAPUNOV,
         exponent_error: f64 = LYAPUNOV_ERROR,
     }
@@ -87,7 +86,7 @@ tables! {
 
     /// The results for one place, or for several.
     AtPlace {
-        attractors: PlaceAttractor = "place_attractors", "an attractor at a place, with the random initial states that reach it; number 0: motion that is not followed further",
+        attractors: PlaceAttractor = "place_attractors", "an attractor at a place, with the random initial states that reach it",
         solutions: PlaceSolution = "place_solutions", "a periodic solution at a place, stable or not",
         motion: PlaceMotion = "place_motion", "a point of the motion on an attractor",
         impacts: PlaceImpact = "place_impacts", "an impact on an attractor",
@@ -124,7 +123,7 @@ impl AtPlace {
 }
 
 impl AtPlace {
-    /// The attractor with a number in the tables, or the motion that is not followed further.
+    /// The attractor with a number in the tables.
     pub fn attractor(&self, number: u32) -> Option<&PlaceAttractor> {
         self.attractors.iter().find(|one| one.attractor == number)
     }
@@ -136,21 +135,37 @@ impl AtPlace {
 
     /// The number of states of the lattice whose motion has not settled in time.
     pub fn undecided(&self) -> usize {
-        self.basins.iter().filter(|state| state.attractor == 0 && state.motion == UNSETTLED).count()
+        self.basins.iter().filter(|state| state.attractor == 0).count()
     }
 }
 
-/// The name of motion that has not settled.
-const UNSETTLED: &str = "unsettled";
-
 /// The number of loops p of an MPS, or 0 for motion without impacts of one period, from the period (in
-/// forcing periods) and the number of impacts per forcing period; nothing for other motion.
-pub fn loops(periods: f64, impacts: f64) -> Option<u32> {
+/// forcing periods) and the numbers of impacts and of rests per forcing period; nothing for other motion.
+pub fn loops(periods: f64, [impacts, rests]: [f64; 2]) -> Option<u32> {
     match () {
+        () if rests > 0.0 => None,
         () if impacts == 0.0 && periods == 1.0 => Some(0),
         () if (periods * impacts - 1.0).abs() < 0.5 => Some(periods as u32),
         () => None,
     }
+}
+
+fn several(count: f64, what: &str) -> String {
+    format!("{count:.0} {what}{}", if count > 1.5 { "s" } else { "" })
+}
+
+/// The impacts and the rests of periodic motion in words, from the period (in forcing periods) and their
+/// numbers per forcing period: "3 impacts in 2 periods", "1 impact and a rest in 1 period", or, with
+/// infinitely many impacts that accumulate, "chatter and a rest in 1 period".
+pub fn struck(periods: f64, [impacts, rests]: [f64; 2]) -> String {
+    let [impacts, rests] = [impacts, rests].map(|rate| periods * rate);
+    let rest = if rests > 1.5 { several(rests, "rest") } else { "a rest".to_owned() };
+    let what = match () {
+        () if impacts.is_infinite() => format!("chatter and {rest}"),
+        () if rests > 0.0 => format!("{} and {rest}", several(impacts, "impact")),
+        () => several(impacts, "impact"),
+    };
+    format!("{what} in {}", several(periods, "period"))
 }
 
 impl PlaceSolution {
@@ -167,25 +182,17 @@ impl PlaceAttractor {
     /// The number of loops p of an MPS, or 0 for motion without impacts of one period; nothing for other
     /// motion.
     pub fn loops(&self) -> Option<u32> {
-        loops(self.periods, self.impacts)
+        loops(self.periods, [self.impacts, self.rests])
     }
 
     /// A description of the attractor in words.
     pub fn words(&self) -> String {
-        if self.attractor == 0 {
-            return ACCUMULATING.to_owned();
-        }
-        let several =
-            |count: f64, what: &str| format!("{count:.0} {what}{}", if count > 1.5 { "s" } else { "" });
         match self.loops() {
             Some(0) => "no impacts".to_owned(),
             Some(p) => format!("MPS, $p={p}$"),
             None if self.periods.is_nan() => self.motion.to_owned(),
             None if self.impacts == 0.0 => format!("no impacts, {}", several(self.periods, "period")),
-            None => {
-                let struck = self.periods * self.impacts;
-                format!("{} in {}", several(struck, "impact"), several(self.periods, "period"))
-            }
+            None => struck(self.periods, [self.impacts, self.rests]),
         }
     }
 }

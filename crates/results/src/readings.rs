@@ -57,6 +57,7 @@ rows! {
         motion: &'static str = MOTION,
         periods: f64 = PERIODS,
         impacts: f64 = IMPACTS_PER_PERIOD,
+        rests: f64 = RESTS_PER_PERIOD,
         x: f64 = X_OF_IMPACT,
         impact_velocity: f64 = IMPACT_VELOCITY,
         impact_phase: f64 = PHASE_OF_IMPACT,

@@ -56,7 +56,7 @@ pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Optio
                 }
             }
         }
-        // Motion that sticks has no p-loop solution.
+        // Motion that rests at the wall for a while has no p-loop solution.
         let Some(OrbitEnd::TimeIsUp(state)) = orbit.end() else { return None };
         if impacts.is_empty()
             && let Some(found) = without_impacts(oscillator, state)

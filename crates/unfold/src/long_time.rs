@@ -2,7 +2,9 @@
 //!
 //! Diagrams, places of the plane and phase portraits all follow orbits by [`LongOrbit::follow`].
 //! Whether an orbit has settled is decided in one place: it has if Newton's method leads from it to
-//! a neighbouring periodic solution ([`Cycle`]) that attracts according to its multipliers.
+//! a neighbouring periodic solution ([`Cycle`]) that attracts according to its multipliers, or if the
+//! force releases it from rest at the wall at a phase for the second time: all that follows a release
+//! depends on its phase alone.
 
 mod cycle;
 mod derivative;
@@ -18,8 +20,8 @@ use rand_pcg::rand_core::Rng;
 
 pub use cycle::{Cycle, same_impact};
 pub use exponent::Exponent;
-pub(crate) use orbit::impact;
-pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience, is_held_at_wall};
+pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
+pub(crate) use samples::sampled_flight;
 pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
 
 /// A random point of Π: x uniform between `lowest` and the wall, the phase uniform.

@@ -15,8 +15,8 @@ use rand_pcg::Pcg64;
 use self::basins::basins;
 use self::outcome::{Known, Outcome, each, long_orbit};
 use crate::long_time::{
-    Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, impact, random_start, same_impact, sampled,
-    sampled_solution, time_of_phase,
+    Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled,
+    sampled_flight, sampled_solution, time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
@@ -37,7 +37,7 @@ pub struct Solution {
     pub orbit: Vec<[f64; 3]>,
 }
 
-/// An attractor of some of the initial states, or the motion from them that is not followed further.
+/// An attractor of some of the initial states.
 #[derive(Clone, Debug)]
 pub struct Attractor {
     /// The number of random initial states that approach it.
@@ -46,7 +46,8 @@ pub struct Attractor {
     pub fate: Fate,
     /// The largest Lyapunov exponent.
     pub exponent: Exponent,
-    /// The flights, (t, x, y) along each; the phase is zero at t = 0.
+    /// The flights, (t, x, y) along each, with the rest at the wall before it; the phase is zero at
+    /// t = 0. Motion that rests for good is one.
     pub flights: Vec<Vec<[f64; 3]>>,
     /// Phase, in [0, 2π), and velocity of the impacts.
     pub strikes: Vec<[f64; 2]>,
@@ -106,8 +107,7 @@ impl Default for Starts {
 pub struct Place {
     /// Periodic solutions, by p.
     pub solutions: Vec<Solution>,
-    /// The attractors, the most frequent first, and after them the motion that is not followed further,
-    /// up to its end.
+    /// The attractors, the most frequent first.
     pub attractors: Vec<Attractor>,
     /// The forcing period.
     pub period: f64,
@@ -189,25 +189,25 @@ impl Attractor {
     fn of(oscillator: &AnyOscillator, states: u32, start: State, horizon: Horizon) -> Self {
         let orbit = long_orbit(oscillator, start, horizon);
         let period = oscillator.forcing_period();
-        let accumulates = orbit.fate.kind == MotionKind::Accumulating;
-        let last = orbit.before_the_end(oscillator);
-        let impacts: Vec<Vector2<f64>> = match accumulates {
-            true => last.iter().copied().filter_map(impact).collect(),
-            false => orbit.impacts.clone(),
-        };
         let flights = match orbit.free_cycle(oscillator) {
             Some((from, periods)) => {
                 let begin = time_of_phase(from.phase, period);
                 vec![sampled(&oscillator.motion(from), begin, periods * period, period)]
             }
+            None if orbit.fate.kind == MotionKind::Resting => {
+                vec![[0.0, period].map(|time| [time, 0.0, 0.0]).to_vec()]
+            }
             None => {
-                let shown = if accumulates { last } else { orbit.shown().iter().collect() };
-                let began =
-                    shown.first().map_or(0.0, |first| first.start - time_of_phase(first.from.phase, period));
-                let curve = |flight: &&Flight<_>| {
-                    sampled(&flight.motion, flight.start - began, flight.duration, period)
+                let shown = orbit.shown();
+                let begin = |first: &Flight<_>| match first.rest {
+                    Some(rest) => (rest.start, rest.phase),
+                    None => (first.start, first.from.phase),
                 };
-                shown.iter().map(curve).collect()
+                let began = shown
+                    .first()
+                    .map(begin)
+                    .map_or(0.0, |(start, phase)| start - time_of_phase(phase, period));
+                shown.iter().map(|flight| sampled_flight(flight, flight.start - began, period)).collect()
             }
         };
         let free = orbit.at_phase_zero(oscillator);
@@ -216,7 +216,7 @@ impl Attractor {
             fate: orbit.fate,
             exponent: orbit.exponent(oscillator),
             flights,
-            strikes: impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),
+            strikes: orbit.impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),
             state: free.or(orbit.flights.last().map(|flight| flight.from)).unwrap_or(start),
         }
     }
@@ -291,17 +291,12 @@ impl Place {
         let solutions = found.into_iter().map(solution).collect();
         progress.step(SOLUTIONS);
         progress.end(SOLUTIONS);
-        // What is not followed further comes last: it is no attractor.
         let mut order: Vec<usize> = (0..known.different.len()).collect();
-        order.sort_by_key(|&index| {
-            let (states, outcome) = &known.different[index];
-            (outcome.fate.kind == MotionKind::Accumulating, core::cmp::Reverse(*states))
-        });
+        order.sort_by_key(|&index| core::cmp::Reverse(known.different[index].0));
         let shown: Vec<_> = order.iter().map(|&index| &known.different[index]).collect();
         let attractor = |(states, one): &&(u32, Outcome)| {
             // Motion from a random state is computed as before.
-            let again = *states > 0 && one.fate.kind != MotionKind::Accumulating;
-            Attractor::of(oscillator, *states, if again { one.start } else { one.late }, horizon)
+            Attractor::of(oscillator, *states, if *states > 0 { one.start } else { one.late }, horizon)
         };
         let attractors = each(MOTION, &shown, progress, attractor)?;
         let place = |index: usize| order.iter().position(|known| *known == index);

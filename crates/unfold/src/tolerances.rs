@@ -30,6 +30,10 @@ pub(crate) const BETWEEN_HEIGHTS: f64 = 1e-9;
 /// Impacts and states of orbits that have settled, to far better accuracy.
 pub(crate) const BETWEEN_ORBITS: f64 = 1e-3;
 
+/// Phases at which the force releases motion from rest: zeros of the force at the wall, exact but for its
+/// rounding.
+pub(crate) const BETWEEN_RELEASES: f64 = 1e-9;
+
 /// Impacts of irregular attractors: those of one attractor lie this close to each other, since so
 /// many fill it.
 pub(crate) const BETWEEN_WANDERING_ORBITS: f64 = 0.03;

@@ -24,9 +24,8 @@ pub(crate) fn listing(layout: Layout, places: &[AtPlace], unfinished: &[[f64; 2]
     if places.is_empty() {
         return if missing.is_empty() { missing } else { format!("\nAttractors\n{missing}") };
     }
-    let followed = |one: &&PlaceAttractor| one.attractor > 0;
     let row = |one: &PlaceAttractor| {
-        let exponent = if one.exponent.is_nan() { "-".to_owned() } else { brief(one.exponent, EXPONENT) };
+        let exponent = if one.exponent.is_finite() { brief(one.exponent, EXPONENT) } else { "-".to_owned() };
         vec![
             brief(one.primary, DIGITS),
             brief(one.secondary, DIGITS),
@@ -38,7 +37,7 @@ pub(crate) fn listing(layout: Layout, places: &[AtPlace], unfinished: &[[f64; 2]
     let [primary, secondary] = heads(names);
     let exponent = with_unit("Lyapunov exponent", names.named_unit("1/time").as_deref());
     let heads = [&*primary, &secondary, "attractor", "share of random states", &exponent];
-    let rows: Vec<_> = places.iter().flat_map(|place| &place.attractors).filter(followed).map(row).collect();
+    let rows: Vec<_> = places.iter().flat_map(|place| &place.attractors).map(row).collect();
     let mut text = "\nAttractors\n".to_owned();
     text.push_str(&if rows.is_empty() {
         "  none\n".to_owned()
@@ -46,9 +45,9 @@ pub(crate) fn listing(layout: Layout, places: &[AtPlace], unfinished: &[[f64; 2]
         layout.aligned(&heads, rows.into_iter())
     });
     for place in places {
-        if let Some(one) = place.attractor(0) {
-            let words = format!("{} ({} of {} random states)", one.words(), one.states, place.states);
-            text.push_str(&layout.wrapped(&at(place.at), &words));
+        if place.attractors.iter().any(|one| one.rests > 0.0 && one.periods > 0.0) {
+            let words = "motion that rests at the wall forgets its state: its multipliers are 0";
+            text.push_str(&layout.wrapped(&at(place.at), words));
         }
         for one in place.neutral() {
             let words = format!("{} is neutral: nearby motion neither approaches nor leaves it", one.words());

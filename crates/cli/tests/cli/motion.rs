@@ -51,31 +51,41 @@ fn a_place_that_is_none_is_refused_before_anything_is_computed() {
 }
 
 #[test]
-fn impacts_that_accumulate_are_said_to_and_neither_called_rest_nor_given_a_share() {
+fn motion_that_rests_at_the_wall_is_named_tabulated_drawn_and_swept_with_nothing_left_out() {
     let folder = empty_folder();
     let text = "name = \"Chatter\"\nparameters = { zeta = 0.05, r = 0.3 }\nprimary = { name = \"A\", range = [0.0, 1.3] }\n\
                 secondary = { name = \"omega\", range = [0.34, 0.36] }\n\
                 motion = { force = \"-2*zeta*v - x - 1 + A*cos(omega*t)\", frequency = \"omega\" }\n\
                 impact = { restitution = \"r\", duration = \"0\" }\nanalysis = { loops = [1] }\n\
-                diagrams = [{ fixed = \"omega\", at = 0.35 }]\n";
+                diagrams = [{ fixed = \"omega\", at = 0.35, sweeps = true }]\n";
     fs::write(folder.path().join("my.toml"), text).expect("the folder is ours");
     let run = grazing(folder.path(), &["unfold", "my.toml", "--at", "1.2,0.35", "--output", "out"]);
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let listed = run.output.split_whitespace().collect::<Vec<_>>().join(" ");
-    let accumulates = "impacts accumulate at the wall; not followed further";
-    let told = format!("Attractors none at A = 1.2, omega = 0.35: {accumulates} (24 of 24 random states)");
-    assert!(listed.contains(&told) && !listed.contains("resting"), "{}", run.output);
-    let left_out = format!(" of 480 simulated orbits: {accumulates}");
-    assert!(listed.contains("left out: ") && listed.contains(&left_out), "{}", run.output);
+    let words = "chatter and a rest in 1 period";
+    let told = "motion that rests at the wall forgets its state: its multipliers are 0";
+    assert!(listed.contains(words) && listed.contains("100 %") && listed.contains(told), "{}", run.output);
+    assert!(!listed.contains("left out: "), "{}", run.output);
     let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).expect("it is written");
     let attractors = read("data/place_attractors.csv");
     let rows: Vec<Vec<&str>> = attractors.lines().map(|line| line.split(',').collect()).collect();
     let column = |name: &str| rows[0].iter().position(|head| *head == name).expect("it is a column");
-    let cells = ["attractor", "states", "share", "motion"].map(|name| rows[1][column(name)]);
-    assert_eq!((rows.len(), cells), (2, ["0", "24", "", "accumulating"]), "{attractors}");
+    let names = ["attractor", "states", "motion", "periods", "impacts", "rests", "lyapunov_exponent"];
+    let cells = names.map(|name| rows[1][column(name)]);
+    let one = "1.0000000000000000e0";
+    assert_eq!((rows.len(), cells), (2, ["1", "24", "periodic", one, "", one, ""]), "{attractors}");
     let basins = read("data/place_basins.csv");
-    assert!(basins.lines().skip(1).all(|line| line.ends_with(",accumulating,0")), "{basins}");
-    assert!(read("data/place_motion.csv").lines().count() > 100);
-    assert!(read("place-1.svg").contains("not followed: 24 of 24"));
-    assert!(read("report.html").contains(&left_out));
+    assert!(basins.lines().skip(1).all(|line| line.ends_with(",periodic,1")), "{basins}");
+    // Along the wall up to the release, at rest.
+    let motion = read("data/place_motion.csv");
+    let rest = motion.lines().filter(|line| line.ends_with(",0.0000000000000000e0,0.0000000000000000e0"));
+    assert!(rest.count() >= 1 && motion.lines().count() > 100, "{motion}");
+    assert!(read("place-1.svg").contains("chatter and a rest in 1 period"));
+    assert!(read("report.html").contains("chatter and a rest in 1 period"));
+    // Sweeps pass through such motion; at rest the wall bears more than impulses.
+    let swept = read("data/diagram_motion.csv");
+    let heads: Vec<&str> = swept.lines().next().unwrap_or_default().split(',').collect();
+    let at = |name: &str| heads.iter().position(|head| *head == name).expect("it is a column");
+    let resting = swept.lines().skip(1).filter(|line| line.split(',').nth(at("rests")) == Some(one));
+    assert!(resting.filter(|line| line.starts_with("1,up,")).count() > 100, "{}", swept.len());
 }

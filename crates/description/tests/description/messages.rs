@@ -303,13 +303,18 @@ fn deep_tables_neither_take_for_ever_nor_overflow_the_stack() {
 }
 
 #[test]
-fn a_restitution_above_one_is_allowed_and_said() {
+fn a_restitution_above_one_or_of_zero_is_allowed_and_said() {
     let noted = |line: &str| {
         Description::parse(&edited("[impact]", "restitution", line), "o.toml").expect("it is allowed")
     };
     assert!(noted("restitution = \"1\"").notes().is_empty());
     let notes = noted("restitution = \"1.2\"").notes().join("");
     assert!(notes.starts_with("o.toml:15: impact.restitution: the restitution is 1.2 at A = 0, "), "{notes}");
+    let notes = noted("restitution = \"0\"").notes().join("");
+    assert!(
+        notes.contains("the restitution is 0 at A = 0, ") && notes.contains("impacts are plastic"),
+        "{notes}"
+    );
 }
 
 #[test]

@@ -70,10 +70,7 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let names = heading.names;
     let x = names.titled(if figure.from_the_wall { "$x$ from the wall" } else { "$x$" }, "length");
     let [y, velocity] = ["$y$", "impact velocity"].map(|title| names.titled(title, "length/time"));
-    let share = |one: &PlaceAttractor| match one.attractor {
-        0 => format!("impacts accumulate, not followed: {} of {}", one.states, figure.states),
-        _ => format!("{}: {:.0} %", one.words(), 100.0 * one.share),
-    };
+    let share = |one: &PlaceAttractor| format!("{}: {:.0} %", one.words(), 100.0 * one.share);
     let mut words: Vec<_> = figure.attractors.iter().map(|one| (Some(one), share(one))).collect();
     if figure.undecided() > 0 {
         let counts = format!("{} of {}", figure.undecided(), figure.basins.len());
@@ -184,8 +181,8 @@ pub fn draw_place(figure: &AtPlace, heading: &Heading<'_>, width: SheetWidth) ->
     let mut panel = Panel { tables: &heading.tables[2..], only, ..Panel::new(&canvas, frame, bounds)? };
     let half = [PI / phases, 0.5 * deepest.abs() / positions];
     for one in &figure.attractors {
-        // States that have not settled have the number 0, too, and stay blank.
-        let own = |state: &&BasinState| (state.attractor, state.motion) == (one.attractor, one.motion);
+        // States that have not settled have the number 0, and stay blank.
+        let own = |state: &&BasinState| state.attractor == one.attractor;
         let cells = figure.basins.iter().filter(own);
         let ring = |state: &BasinState| {
             let (z, x) = (state.start_phase, state.start_x);
@@ -222,6 +219,7 @@ mod tests {
             motion,
             periods,
             impacts,
+            rests: 0.0,
             exponent: 0.01,
             exponent_error: 0.0,
         };
@@ -283,16 +281,12 @@ mod tests {
     }
 
     #[test]
-    fn motion_that_is_not_followed_further_is_drawn_and_counted_without_a_share_and_what_is_undecided_is_blank()
-     {
+    fn chatter_and_rests_are_named_and_what_is_undecided_is_blank() {
         let mut figure = sample(1.0);
         let last = &mut figure.attractors[1];
-        (last.attractor, last.motion, last.share, last.states) = (0, "accumulating", f64::NAN, 6);
-        last.exponent = f64::NAN;
-        figure.motion.iter_mut().filter(|point| point.attractor == 2).for_each(|point| point.attractor = 0);
-        figure.impacts[1].attractor = 0;
-        for (k, state) in figure.basins.iter_mut().enumerate().filter(|(k, _)| k % 2 == 1) {
-            (state.attractor, state.motion) = (0, if k < 12 { "accumulating" } else { "unsettled" });
+        (last.motion, last.periods, last.impacts, last.rests) = ("periodic", 1.0, f64::INFINITY, 1.0);
+        for (_, state) in figure.basins.iter_mut().enumerate().filter(|(k, _)| k % 2 == 1 && *k > 12) {
+            (state.attractor, state.motion) = (0, "unsettled");
         }
         let names = Names::new("A", "omega");
         let tables = ["place_motion", "place_impacts", "place_basins"];
@@ -301,10 +295,9 @@ mod tests {
             let sheet = draw_place(&figure, &heading, width).unwrap();
             sheet.assert_well_placed(&width);
             let texts = sheet.texts();
-            for text in ["MPS, $p=2$: 50 %", "not followed: 6 of 24", "6 of 24 states"] {
+            for text in ["MPS, $p=2$: 50 %", "chatter and a rest in 1 period: 50 %", "6 of 24 states"] {
                 assert!(texts.iter().any(|found| found.contains(text)), "{text}: {texts:?}");
             }
-            assert_eq!(texts.iter().filter(|text| text.contains('%')).count(), 1, "{texts:?}");
             let areas = sheet.short_body();
             let cells =
                 areas.lines().filter(|line| line.contains("evenodd")).map(|line| line.matches('Z').count());

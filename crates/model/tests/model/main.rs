@@ -10,5 +10,6 @@ mod nonlinear;
 mod orbits;
 mod printed;
 mod reset;
+mod rests;
 mod stiff;
 mod third_order;

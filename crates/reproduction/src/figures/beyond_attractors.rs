@@ -280,7 +280,7 @@ impl<'a> Map<'a> {
                 let counts = (one.places, one.attractors, one.attractor);
                 counts == (places, group.len() as u32, number)
                     && (one.first, one.secondary) == (first, secondary)
-                    && one.impacts.is_finite()
+                    && !one.impacts.is_nan()
                     && known(one)
             });
             column = places.saturating_add(column);
@@ -366,6 +366,7 @@ impl Stretch {
     /// The number of loops p of an MPS, or 0 for motion without impacts of one period; nothing for other
     /// motion.
     pub fn loops(&self) -> Option<u32> {
-        place::loops(f64::from(self.periods), self.impacts)
+        // With rests at the wall there are infinitely many impacts: none of its impacts is plastic.
+        place::loops(f64::from(self.periods), [self.impacts, 0.0])
     }
 }

@@ -94,11 +94,11 @@ columns! {
     MAP_ATTRACTOR = "attractor", "", "1";
     /// `non-impacting`, `periodic`: Newton's method converges from the motion to a nearby periodic solution with multipliers inside the unit circle; `chaotic`: it
     /// does not, and the Lyapunov exponent over 512 more forcing periods exceeds 0 by more than four standard errors; `unsettled`: neither, as close to bifurcations;
-    /// `resting`: the force holds the motion at the wall for a whole period; `accumulating`: impacts accumulate at the wall, where the motion is not followed further
+    /// `resting`: the force holds the motion at the wall for a whole period
     MAP_MOTION = "motion", "", "1";
     /// period, in forcing periods; 0 if the motion is not periodic
     MAP_PERIODS = "periods", "", "1";
-    /// impacts per forcing period; for motion that is not periodic, the mean over the places
+    /// impacts per forcing period, empty where infinitely many accumulate at the wall; for motion that is not periodic, the mean over the places
     MAP_IMPACTS = "impacts", "", "1";
     /// least of the largest Lyapunov exponents at these places; empty for periodic motion, where multipliers decide
     LYAPUNOV_LEAST = "lyapunov_least", r"\lambda", "1/time";

@@ -3,3 +3,4 @@
 mod cell;
 mod kinds;
 mod names;
+mod words;

@@ -9,7 +9,7 @@ use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State, flow_vari
 use nalgebra::{Matrix2, Vector2};
 
 use super::derivative::from_impact_to_impact;
-use crate::tolerances::BETWEEN_ORBITS;
+use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_RELEASES};
 
 /// Motion that recurs to within this may be about to settle.
 const NEARLY: f64 = 0.1;
@@ -20,22 +20,32 @@ pub(super) const MOST_PERIODS: u32 = 16;
 /// Limit on the impacts of an orbit, which has only a few a period; sticking and chattering end it
 /// by themselves.
 pub(super) const MOST_IMPACTS: usize = 1_000_000;
+/// Radians by which motion is released later to see whether it still recurs: far more than rounding, and
+/// less than what tells releases apart.
+const LATER: f64 = 1e-10;
 /// Limit on the steps of Newton's method, which converges within a few from motion that is about to
 /// settle.
 const STEPS: u32 = 12;
 /// Last step of Newton's method.
 const SOLVED: f64 = 1e-11;
 
-/// A periodic solution that attracts, with impacts or without.
+/// A periodic solution that attracts, with impacts or without, and with rests at the wall or without.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycle {
-    /// A state on the cycle: on the incoming set, before an impact, if there is one.
+    /// A state on the cycle: where it comes to rest at the wall, or else on the incoming set, before
+    /// an impact, if there is one.
     pub from: State,
-    /// The number of impacts on the cycle; 0 for motion without impacts.
+    /// The number of impacts on the cycle, without those that are left out where impacts accumulate; 0
+    /// for motion without impacts.
     pub impacts: usize,
+    /// The number of rests at the wall.
+    pub rests: usize,
+    /// Whether infinitely many impacts accumulate before one of them.
+    pub accumulates: bool,
     /// The duration of the cycle in forcing periods.
     pub periods: u32,
-    /// The multipliers of the cycle, over that time.
+    /// The multipliers of the cycle, over that time: 0 with a rest, since all nearby motion is released
+    /// at the same phase.
     pub multipliers: Multipliers,
 }
 
@@ -65,7 +75,7 @@ impl Cycle {
         let beside = on_cycle.iter().zip(before).all(|(a, b)| same_impact(BETWEEN_ORBITS, a, b));
         beside.then_some(())?;
         let from = State::on_wall(from[0], from[1]);
-        Self { from, impacts: count, periods, multipliers: multipliers(&derivative) }.if_attracting()
+        Self::without_rest(from, (count, periods), &derivative)
     }
 
     /// The cycle without impacts approached by a flight, of which the time from zero on counts.
@@ -97,25 +107,59 @@ impl Cycle {
         let clear =
             oscillator.motion(state(at)).highest_maximum(duration).is_none_or(|top| top.position < 0.0);
         (clear && distance(&at, &last) < BETWEEN_ORBITS).then_some(())?;
-        Self { from: state(at), impacts: 0, periods, multipliers: multipliers(&derivative) }.if_attracting()
+        Self::without_rest(state(at), (0, periods), &derivative)
     }
 
-    fn if_attracting(self) -> Option<Self> {
-        self.multipliers.stable().then_some(self)
+    /// A cycle that does not rest, if it attracts.
+    fn without_rest(
+        from: State,
+        (impacts, periods): (usize, u32),
+        derivative: &Matrix2<f64>,
+    ) -> Option<Self> {
+        let multipliers = Multipliers { trace: derivative.trace(), determinant: derivative.determinant() };
+        let cycle = Self { from, impacts, rests: 0, accumulates: false, periods, multipliers };
+        multipliers.stable().then_some(cycle)
+    }
+
+    /// The cycle of motion that the force releases from rest at the wall at a phase, if it releases it at
+    /// the same phase again within a time. There is none if a release a little later leads elsewhere: then
+    /// rounding does, too.
+    pub(super) fn through_rest(oscillator: &AnyOscillator, phase: f64, longest: f64) -> Option<Self> {
+        let cycle = Self::after_release(oscillator, phase, longest)?;
+        let later = Self::after_release(oscillator, phase + LATER, longest)?;
+        let late = libm::remainder(later.from.phase - cycle.from.phase, TAU);
+        let alike =
+            (cycle.rests, cycle.periods) == (later.rests, later.periods) && late.abs() < BETWEEN_ORBITS;
+        alike.then_some(cycle)
+    }
+
+    fn after_release(oscillator: &AnyOscillator, phase: f64, longest: f64) -> Option<Self> {
+        let (mut impacts, mut rests, mut accumulates) = (0, 0, false);
+        for flight in Orbit::new(oscillator, State::on_wall(0.0, phase), longest, MOST_IMPACTS) {
+            // Rounding of the phase may let the motion rest for a moment at first.
+            if let Some(rest) = flight.rest.filter(|rest| rest.start > 0.0) {
+                rests += 1;
+                accumulates |= rest.accumulated;
+                if is_same_phase(flight.from.phase, phase) {
+                    let periods = libm::round(flight.start / oscillator.forcing_period()).max(1.0) as u32;
+                    let from = State::on_wall(0.0, rest.phase);
+                    let multipliers = Multipliers { trace: 0.0, determinant: 0.0 };
+                    return Some(Self { from, impacts, rests, accumulates, periods, multipliers });
+                }
+            }
+            impacts += usize::from(matches!(flight.end, FlightEnd::Impact(_)));
+        }
+        None
     }
 
     /// The mean rate at which small displacements from the cycle grow, which is negative: the
-    /// logarithm of its larger multiplier divided by its duration.
+    /// logarithm of its larger multiplier divided by its duration; −∞ with a rest.
     pub(super) fn exponent(&self, period: f64) -> f64 {
         let Multipliers { trace, determinant } = self.multipliers;
         let square = 0.25 * trace * trace - determinant;
         let modulus = if square < 0.0 { determinant.sqrt() } else { 0.5 * trace.abs() + square.sqrt() };
         libm::log(modulus) / (f64::from(self.periods) * period)
     }
-}
-
-fn multipliers(derivative: &Matrix2<f64>) -> Multipliers {
-    Multipliers { trace: derivative.trace(), determinant: derivative.determinant() }
 }
 
 /// One round of a possible cycle.
@@ -136,6 +180,9 @@ impl Round {
         let mut impacts = Vec::with_capacity(count);
         for flight in Orbit::new(oscillator, impact, longest, MOST_IMPACTS).take(count) {
             let FlightEnd::Impact(next) = flight.end else { return None };
+            if flight.rest.is_some() {
+                return None;
+            }
             derivative = from_impact_to_impact(oscillator, impact, &flight) * derivative;
             time = flight.start + flight.duration;
             impacts.push(Vector2::new(next.velocity, next.phase));
@@ -182,6 +229,11 @@ pub(super) fn cycle_lengths(impacts: &[Vector2<f64>]) -> impl Iterator<Item = us
 pub(super) fn state_at(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, time: f64) -> State {
     let phase = flight.from.phase + oscillator.forcing_frequency().value * time;
     flight.motion.at(time).state(phase)
+}
+
+/// Whether two phases of releases from rest are the same: they are exact but for rounding.
+pub(super) fn is_same_phase(a: f64, b: f64) -> bool {
+    libm::remainder(a - b, TAU).abs() < BETWEEN_RELEASES
 }
 
 /// Whether two impacts (y, z) differ by no more than `distance`, relative to y where that exceeds

@@ -6,12 +6,13 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::cycle::{MOST_PERIODS, state_at};
 use super::derivative::from_impact_to_impact;
-use super::orbit::{LongOrbit, MotionKind};
+use super::orbit::{LongOrbit, MotionKind, Releases};
 
 /// The mean rate at which a small displacement grows, with the dimension of a reciprocal time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponent {
-    /// The mean over the whole counted time; NaN where motion rests or is not followed.
+    /// The mean over the whole counted time; −∞ for a cycle that rests at the wall in between, which
+    /// forgets its state, NaN where motion rests otherwise or cannot be followed.
     pub mean: f64,
     /// The standard error, from parts of that time; 0 for a cycle, from its multipliers.
     pub error: f64,
@@ -38,8 +39,11 @@ impl LongOrbit {
     #[must_use]
     pub fn judged(self, oscillator: &AnyOscillator) -> Self {
         let Some(end) = self.end.filter(|_| self.fate.kind == MotionKind::Unsettled) else { return self };
-        let mut on = Self::after_transient(oscillator, end, [0, COUNTED]);
+        let mut on = Self::after_transient(oscillator, end, [0, COUNTED], Some(&mut Releases::default()));
         on.fate.followed = self.fate.followed + COUNTED;
+        if let Some(cycle) = on.cycle {
+            return Self::on_cycle(oscillator, cycle, [COUNTED, on.fate.followed]);
+        }
         if !on.impacts.is_empty() && on.exponent(oscillator).is_positive() {
             on.fate.kind = MotionKind::Chaotic;
         }
@@ -50,11 +54,15 @@ impl LongOrbit {
     /// derivatives of the maps from impact to impact, or of the flow.
     pub fn exponent(&self, oscillator: &AnyOscillator) -> Exponent {
         let period = oscillator.forcing_period();
-        if matches!(self.fate.kind, MotionKind::Resting | MotionKind::Accumulating | MotionKind::Escaping) {
+        if matches!(self.fate.kind, MotionKind::Resting | MotionKind::Escaping) {
             return Exponent::NONE;
         }
         if let Some(cycle) = &self.cycle {
             return Exponent { mean: cycle.exponent(period), error: 0.0 };
+        }
+        // The derivative of the map from impact to impact vanishes across a rest.
+        if self.flights.iter().any(|flight| flight.rest.is_some()) {
+            return Exponent::NONE;
         }
         let mut displacement = Vector2::new(0.6, 0.8);
         let mut stretch = |derivative: Matrix2<f64>, duration: f64| {

@@ -1,15 +1,12 @@
 //! An orbit that is followed for a long time, and its long-term behaviour.
 
-use core::f64::consts::TAU;
-use std::collections::VecDeque;
-
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
 use nalgebra::Vector2;
 
-use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, cycle_lengths, state_at};
+use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, cycle_lengths, is_same_phase, state_at};
 
 grazing_results::words! {
     /// The kind of long-term behaviour.
@@ -17,7 +14,7 @@ grazing_results::words! {
     MotionKind {
         /// A periodic solution that does not reach the wall.
         NonImpacting = "non-impacting",
-        /// A periodic solution with impacts.
+        /// A periodic solution with impacts, with rests at the wall or without.
         Periodic = "periodic",
         /// Motion that has not settled on a cycle within the time for which it was followed.
         Unsettled = "unsettled",
@@ -26,10 +23,7 @@ grazing_results::words! {
         /// Motion that comes to rest at the wall, where the force holds it for a whole period, and so
         /// for good.
         Resting = "resting",
-        /// Motion that comes to the wall, mostly by impacts that accumulate, where the force holds it
-        /// for a part of the period; it is not followed further.
-        Accumulating = "accumulating",
-        /// Motion that cannot be followed.
+        /// Motion that runs away, or cannot be followed.
         Escaping = "escaping",
     }
 }
@@ -41,8 +35,10 @@ pub struct Fate {
     pub kind: MotionKind,
     /// The number of forcing periods after which the motion recurs, if it does.
     pub periods: Option<u32>,
-    /// Impacts in a forcing period, on average.
+    /// Impacts in a forcing period, on average; ∞ where they accumulate.
     pub impacts: f64,
+    /// Rests at the wall in a forcing period, on average, that the force ends.
+    pub rests: f64,
     /// The number of forcing periods for which it was followed.
     pub followed: u32,
 }
@@ -51,6 +47,7 @@ impl Fate {
     /// The number of loops p of a solution with one impact in p forcing periods; 0 without impacts.
     pub fn loops(&self) -> Option<u32> {
         match self.kind {
+            _ if self.rests > 0.0 => None,
             MotionKind::NonImpacting if self.periods == Some(1) => Some(0),
             // A whole number of impacts, counted over a whole number of periods.
             MotionKind::Periodic => {
@@ -94,8 +91,34 @@ impl Horizon {
 pub const LONGEST_TRANSIENT: u32 = 2_000;
 /// Number of flights that are shown of an orbit that does not recur.
 const SHOWN: usize = 40;
-/// Number of forcing periods that are shown of motion that is not followed further.
-const SHOWN_PERIODS: f64 = 4.0;
+
+/// The phases at which the force has released an orbit from rest at the wall: from the first that recurs
+/// on the motion recurs.
+#[derive(Default)]
+pub(super) struct Releases {
+    seen: Vec<f64>,
+    /// Whether motion from one release to the next amplifies rounding, so that nothing is known to recur.
+    irregular: bool,
+}
+
+impl Releases {
+    /// Adds the release of a flight, if it has one; the cycle, if it recurs.
+    fn recur(
+        &mut self,
+        oscillator: &AnyOscillator,
+        flight: &Flight<AnyMotion>,
+        longest: f64,
+    ) -> Option<Cycle> {
+        let phase = flight.rest.filter(|_| !self.irregular).map(|_| flight.from.phase)?;
+        if !self.seen.iter().any(|other| is_same_phase(*other, phase)) {
+            self.seen.push(phase);
+            return None;
+        }
+        let cycle = Cycle::through_rest(oscillator, phase, longest);
+        self.irregular = cycle.is_none();
+        cycle
+    }
+}
 
 /// An orbit after its transient, with times counted from the end of the transient; on its cycle, if
 /// it has settled.
@@ -108,10 +131,10 @@ pub struct LongOrbit {
     pub flights: Vec<Flight<AnyMotion>>,
     /// The impacts (y, z) at which these end.
     pub impacts: Vec<Vector2<f64>>,
-    /// The last flights that begin in the transient.
-    before: VecDeque<Flight<AnyMotion>>,
-    /// The state at the end of the time, unless the orbit came to rest at the wall, is not followed
-    /// further or cannot be followed.
+    /// The last flight that begins in the transient.
+    before: Option<Flight<AnyMotion>>,
+    /// The state at the end of the time, unless the orbit came to rest at the wall for good or cannot be
+    /// followed.
     pub(crate) end: Option<State>,
 }
 
@@ -124,13 +147,14 @@ impl LongOrbit {
 
     fn followed(oscillator: &AnyOscillator, mut from: State, horizon: Horizon) -> Self {
         let Horizon { mut transient, counted, patience, longest } = horizon;
-        let mut followed = 0;
+        let (mut followed, mut releases) = (0, Releases::default());
         loop {
-            let mut orbit = Self::after_transient(oscillator, from, [transient, counted]);
+            let mut orbit =
+                Self::after_transient(oscillator, from, [transient, counted], Some(&mut releases));
             followed += transient + counted;
             orbit.fate.followed = followed;
             let Some(end) = orbit.end else { return orbit };
-            if let Some(cycle) = orbit.settled(oscillator) {
+            if let Some(cycle) = orbit.cycle.or_else(|| orbit.settled(oscillator)) {
                 return Self::on_cycle(oscillator, cycle, [counted, followed]);
             }
             let drifts = || orbit.impacts.is_empty() || cycle_lengths(&orbit.impacts).next().is_some();
@@ -148,65 +172,64 @@ impl LongOrbit {
         }
     }
 
-    fn on_cycle(oscillator: &AnyOscillator, cycle: Cycle, [counted, followed]: [u32; 2]) -> Self {
-        let orbit = Self::after_transient(oscillator, cycle.from, [0, counted]);
+    pub(super) fn on_cycle(oscillator: &AnyOscillator, cycle: Cycle, [counted, followed]: [u32; 2]) -> Self {
+        let orbit = Self::after_transient(oscillator, cycle.from, [0, counted.max(cycle.periods)], None);
+        let impacts = if cycle.accumulates { f64::INFINITY } else { cycle.impacts as f64 };
         let fate = Fate {
             kind: if cycle.impacts == 0 { MotionKind::NonImpacting } else { MotionKind::Periodic },
             periods: Some(cycle.periods),
-            impacts: cycle.impacts as f64 / f64::from(cycle.periods),
+            impacts: impacts / f64::from(cycle.periods),
+            rests: cycle.rests as f64 / f64::from(cycle.periods),
             followed,
         };
         Self { fate, cycle: Some(cycle), ..orbit }
     }
 
+    /// The orbit from a state, up to a release that recurs, if these are watched: then its cycle is known.
     pub(super) fn after_transient(
         oscillator: &AnyOscillator,
         from: State,
         [transient, counted]: [u32; 2],
+        mut releases: Option<&mut Releases>,
     ) -> Self {
         let period = oscillator.forcing_period();
         let transient = f64::from(transient) * period;
         let horizon = transient + f64::from(counted) * period;
         let mut orbit = Orbit::new(oscillator, from, horizon, MOST_IMPACTS);
-        let (mut before, mut flights) = (VecDeque::new(), Vec::new());
-        let shown = SHOWN_PERIODS * period;
+        let (mut before, mut flights) = (None, Vec::new());
+        let (mut cycle, mut end) = (None, None);
         for flight in orbit.by_ref() {
             let flight = Flight { start: flight.start - transient, ..flight };
-            if flight.start >= 0.0 {
-                flights.push(flight);
-                continue;
+            cycle = releases.as_mut().and_then(|releases| releases.recur(oscillator, &flight, horizon));
+            if cycle.is_some() {
+                end = Some(OrbitEnd::TimeIsUp(flight.from));
+                break;
             }
-            let old = |known: &&Flight<_>| known.start + known.duration < flight.start - shown;
-            while before.front().filter(old).is_some() {
-                before.pop_front();
-            }
-            before.push_back(flight);
+            if flight.start >= 0.0 { flights.push(flight) } else { before = Some(flight) }
         }
         let impacts: Vec<Vector2<f64>> = flights.iter().filter_map(impact).collect();
-        let (kind, end) = match orbit.end() {
+        let (kind, end) = match end.or(orbit.end()) {
             Some(OrbitEnd::TimeIsUp(end)) if end.position.is_finite() => (MotionKind::Unsettled, Some(end)),
-            Some(OrbitEnd::TimeIsUp(_)) => (MotionKind::Escaping, None),
-            _ if is_held_at_wall(oscillator) => (MotionKind::Resting, None),
-            _ => (MotionKind::Accumulating, None),
+            Some(OrbitEnd::Resting { held: true, .. }) => (MotionKind::Resting, None),
+            Some(OrbitEnd::Resting { rest, .. }) => {
+                let turned = oscillator.forcing_frequency().value * rest.duration;
+                (MotionKind::Unsettled, Some(State::on_wall(0.0, rest.phase + turned)))
+            }
+            _ => (MotionKind::Escaping, None),
         };
-        let rate = impacts.len() as f64 / f64::from(counted);
-        let fate = Fate { kind, periods: None, impacts: rate, followed: 0 };
-        Self { fate, cycle: None, flights, impacts, before, end }
+        let rests = || flights.iter().filter_map(|flight| flight.rest);
+        let count = if rests().any(|rest| rest.accumulated) { f64::INFINITY } else { impacts.len() as f64 };
+        let [impacts_in_one, rests_in_one] =
+            [count, rests().count() as f64].map(|count| count / f64::from(counted));
+        let fate = Fate { kind, periods: None, impacts: impacts_in_one, rests: rests_in_one, followed: 0 };
+        Self { fate, cycle, flights, impacts, before, end }
     }
 
     /// The flight of motion that has no impact after the transient.
     pub(super) fn free_flight(&self) -> Option<&Flight<AnyMotion>> {
-        let free = self.flights.last().or(self.before.back());
-        free.filter(|_| self.impacts.is_empty() && self.end.is_some())
-    }
-
-    /// The last flights, transient or not, of some periods: what is seen of motion that is not followed
-    /// further.
-    pub(crate) fn before_the_end(&self, oscillator: &AnyOscillator) -> Vec<&Flight<AnyMotion>> {
-        let all = || self.before.iter().chain(&self.flights);
-        let end = |flight: &Flight<_>| flight.start + flight.duration;
-        let from = all().last().map_or(0.0, end) - SHOWN_PERIODS * oscillator.forcing_period();
-        all().filter(|flight| end(flight) >= from).collect()
+        let free = self.flights.last().or(self.before.as_ref());
+        let on = |flight: &&Flight<_>| matches!(flight.end, FlightEnd::TimeIsUp(_)) && self.end.is_some();
+        free.filter(|flight| self.impacts.is_empty() && on(flight))
     }
 
     /// The state at the end of the transient, where no impact follows.
@@ -216,7 +239,7 @@ impl LongOrbit {
     }
 
     /// A state on the attractor, from which it can be followed elsewhere; `None` if the orbit has
-    /// come to rest, is not followed further or cannot be followed.
+    /// come to rest for good or cannot be followed.
     pub fn state(&self, oscillator: &AnyOscillator) -> Option<State> {
         self.end?;
         self.at_phase_zero(oscillator).or(self.flights.last().map(|flight| flight.from))
@@ -234,9 +257,7 @@ impl LongOrbit {
 
     /// The flights of one cycle, or some flights of an orbit that does not recur.
     pub fn shown(&self) -> &[Flight<AnyMotion>] {
-        let Fate { periods, impacts, .. } = self.fate;
-        let cycle =
-            periods.map_or(SHOWN, |periods| libm::round(impacts * f64::from(periods)).max(1.0) as usize);
+        let cycle = self.cycle.map_or(SHOWN, |cycle| cycle.impacts.max(1));
         &self.flights[..cycle.min(self.flights.len())]
     }
 
@@ -250,35 +271,8 @@ impl LongOrbit {
     }
 }
 
-/// Number of phases between which the least force at the wall is bracketed, and of steps by which it
-/// is then narrowed down.
-const PHASES: u32 = 512;
-const NARROWINGS: u32 = 40;
-
-/// Whether the force presses against the wall what rests there, at every phase: such motion stays at
-/// rest.
-pub fn is_held_at_wall(oscillator: &AnyOscillator) -> bool {
-    let force = |phase: f64| oscillator.acceleration(State::on_wall(0.0, phase));
-    let phase = |k: u32| TAU * f64::from(k) / f64::from(PHASES);
-    let forces: Vec<f64> = (0..PHASES).map(|k| force(phase(k))).collect();
-    (0..PHASES).all(|k| {
-        let here = forces[k as usize];
-        let beside = [PHASES - 1, 1].map(|step| forces[((k + step) % PHASES) as usize]);
-        if here <= 0.0 || here.is_nan() || beside.iter().any(|other| *other < here) {
-            return here > 0.0;
-        }
-        // A minimum lies between the phases beside this one.
-        let (mut low, mut high) = (phase(k) - phase(1), phase(k) + phase(1));
-        for _ in 0..NARROWINGS {
-            let [first, second] = [(2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0];
-            if force(first) < force(second) { high = second } else { low = first }
-        }
-        force(0.5 * (low + high)) > 0.0
-    })
-}
-
 /// The impact (y, z) at which a flight ends.
-pub(crate) fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
+fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
     match flight.end {
         FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
         FlightEnd::TimeIsUp(_) => None,

@@ -5,8 +5,8 @@ use core::f64::consts::TAU;
 use grazing_continuation::mps::{LoopEquations, Unknowns};
 use grazing_model::State;
 use grazing_model::motion::Motion;
-use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
-use grazing_model::{AnyOscillator, ImpactOscillator};
+use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
+use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator};
 
 /// Number of samples of an orbit per forcing period.
 const SAMPLES: f64 = 200.0;
@@ -23,10 +23,20 @@ pub fn sampled(motion: &impl Motion, start: f64, duration: f64, period: f64) -> 
     (0..=steps as u32).map(at).collect()
 }
 
+/// Samples (t, x, y) of a flight that begins at time `start`, and before them those of the rest at the
+/// wall from which it is released.
+pub(crate) fn sampled_flight(flight: &Flight<AnyMotion>, start: f64, period: f64) -> Vec<[f64; 3]> {
+    let mut samples: Vec<_> =
+        flight.rest.iter().map(|rest| [start - (flight.start - rest.start), 0.0, 0.0]).collect();
+    samples.extend(sampled(&flight.motion, start, flight.duration, period));
+    samples
+}
+
 /// An orbit from a state on, in a form for display.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// The flights, (t, x, y) along each; the phase is zero at t = 0.
+    /// The flights, (t, x, y) along each, with the rest at the wall before it; the phase is zero at
+    /// t = 0. A rest in which the orbit ends comes last.
     pub flights: Vec<Vec<[f64; 3]>>,
     /// Time, phase and velocity of the impacts.
     pub impacts: Vec<[f64; 3]>,
@@ -48,10 +58,14 @@ impl Trajectory {
         let mut all = Self { flights: Vec::new(), impacts: Vec::new(), end: OrbitEnd::TimeIsUp(from) };
         for flight in orbit.by_ref() {
             let start = begin + flight.start;
-            all.flights.push(sampled(&flight.motion, start, flight.duration, period));
+            all.flights.push(sampled_flight(&flight, start, period));
             if let FlightEnd::Impact(impact) = flight.end {
                 all.impacts.push([start + flight.duration, impact.phase, impact.velocity]);
             }
+        }
+        if let Some(OrbitEnd::Resting { rest, .. }) = orbit.end() {
+            let end = rest.start + rest.duration;
+            all.flights.push([rest.start, end].map(|time| [begin + time, 0.0, 0.0]).to_vec());
         }
         Self { end: orbit.end().unwrap_or(all.end), ..all }
     }

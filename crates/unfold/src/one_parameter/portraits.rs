@@ -10,7 +10,8 @@ use rayon::prelude::*;
 
 use super::branches::Branch;
 use crate::long_time::{
-    Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled, sampled_solution,
+    Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled, sampled_flight,
+    sampled_solution,
 };
 use crate::progress::Progress;
 use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
@@ -78,8 +79,8 @@ impl Scene<'_> {
         found.collect::<Vec<_>>().concat()
     }
 
-    /// The portraits of a subject with a given index; empty if the orbit does not exist, rests
-    /// at the wall or is not followed further.
+    /// The portraits of a subject with a given index; empty if the orbit does not exist or rests
+    /// at the wall for good.
     fn of(&self, place: u128, subject: &Subject) -> Vec<Portrait> {
         let (all, patience) = match subject.loops {
             None => (true, Patience::Unsettled),
@@ -146,9 +147,7 @@ impl Scene<'_> {
                 continue;
             }
             let LongOrbit { fate, flights, impacts, .. } = orbit;
-            // Motion that is not followed further is no attractor.
-            let first = impacts.first().filter(|_| fate.kind != MotionKind::Accumulating);
-            let Some(first) = first else { continue };
+            let Some(first) = impacts.first() else { continue };
             if contains(&known, first) {
                 continue;
             }
@@ -158,10 +157,8 @@ impl Scene<'_> {
                 continue;
             }
             seen.push(impacts);
-            let began = flights[0].start;
-            let flights = flights
-                .iter()
-                .map(|flight| sampled(&flight.motion, flight.start - began, flight.duration, period));
+            let began = flights[0].rest.map_or(flights[0].start, |rest| rest.start);
+            let flights = flights.iter().map(|flight| sampled_flight(flight, flight.start - began, period));
             portraits.push(attractor(flights.collect()));
         }
         portraits

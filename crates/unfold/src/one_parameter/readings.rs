@@ -114,8 +114,8 @@ impl Cut {
     /// state at the previous value.
     ///
     /// A sweep begins at rest, a unit of length from the wall. Where motion comes to rest at the
-    /// wall, or is not followed further, it continues from the last state before that. The numbers of
-    /// orbits are returned as well.
+    /// wall for good, it continues from the last state before that. The numbers of orbits are returned
+    /// as well.
     pub fn sweeps(&self, sampling: &Sampling, progress: &dyn Progress) -> (Vec<MotionReading>, Orbits) {
         let sampling = &self.long_enough(sampling);
         let [low, high] = self.line.range;
@@ -150,17 +150,11 @@ impl Cut {
 /// One orbit, counted by what it comes to.
 pub(super) fn counted(orbit: &LongOrbit) -> Orbits {
     let is = |kind| u32::from(orbit.fate.kind == kind);
-    Orbits {
-        all: 1,
-        resting: is(MotionKind::Resting),
-        accumulating: is(MotionKind::Accumulating),
-        escaping: is(MotionKind::Escaping),
-    }
+    Orbits { all: 1, resting: is(MotionKind::Resting), escaping: is(MotionKind::Escaping) }
 }
 
 /// Readings of the impacts of an orbit on its cycle, or of all recorded impacts, or one row for
-/// motion without impacts; none for motion that has come to rest or is
-/// not followed further.
+/// motion without impacts; none for motion that has come to rest for good or cannot be followed.
 pub(super) fn readings_of(
     oscillator: &AnyOscillator,
     orbit: &LongOrbit,
@@ -177,6 +171,7 @@ pub(super) fn readings_of(
         motion: orbit.fate.kind.name(),
         periods: orbit.fate.periods.map_or(f64::NAN, f64::from),
         impacts: orbit.fate.impacts,
+        rests: orbit.fate.rests,
         x,
         impact_velocity: velocity,
         impact_phase: centred(phase),
@@ -195,9 +190,8 @@ pub(super) fn readings_of(
     let extents = orbit.flights.iter().map(|flight| extent(&flight.motion, flight.duration, period));
     let [low, high] = extents.fold([f64::INFINITY, 0.0], |all, one| [all[0].min(one[0]), all[1].max(one[1])]);
     // The impacts of one cycle, if there is one.
-    let cycle =
-        orbit.fate.periods.map(|periods| libm::round(orbit.fate.impacts * f64::from(periods)) as usize);
-    let rows = orbit.impacts.iter().take(cycle.unwrap_or(usize::MAX)).map(|impact| {
+    let count = orbit.cycle.map_or(usize::MAX, |cycle| cycle.impacts);
+    let rows = orbit.impacts.iter().take(count).map(|impact| {
         let [velocity, phase] = [impact[0], turned(impact[1])];
         let top = virtual_map::<_, 1>(oscillator, OnWall::new(velocity, phase), None);
         row(top.map_or(f64::NAN, |top| top.jet.value[0]), [velocity, phase], high - low)

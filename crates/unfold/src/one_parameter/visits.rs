@@ -40,7 +40,8 @@ impl Sampling {
     }
 }
 
-/// The values of x on Π at the visits of an orbit after its transient, up to where it is followed.
+/// The values of x on Π at the visits of an orbit after its transient; a rest at the wall is one, at
+/// x = 0.
 fn long_time_visits(oscillator: &AnyOscillator, orbit: &LongOrbit, counted: u32) -> Vec<f64> {
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);
@@ -118,6 +119,7 @@ pub(super) fn long_time_behaviour(
 /// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its
 /// recoil while they lie within the flight, and the virtual maximum beyond the wall at its end.
 fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, visits: &mut Vec<f64>) {
+    visits.extend(flight.rest.map(|_| 0.0));
     let State { position, velocity, phase } = flight.from;
     let mut here = match velocity {
         0.0 => Some((0.0, AtRest::new(position, phase))),

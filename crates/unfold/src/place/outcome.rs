@@ -18,7 +18,7 @@ pub(super) fn long_orbit(oscillator: &AnyOscillator, start: State, horizon: Hori
 /// The properties of an orbit from a state that are compared with those of others.
 pub(super) struct Outcome {
     pub(super) start: State,
-    /// A later state of the same motion: at the end, or shortly before if it is not followed further.
+    /// A later state of the same motion, if it can be followed.
     pub(super) late: State,
     pub(super) fate: Fate,
     pub(super) impacts: Vec<Vector2<f64>>,
@@ -45,15 +45,15 @@ impl Outcome {
             let top = motion.highest_maximum(f64::from(cycle.periods) * oscillator.forcing_period());
             top.map_or(cycle.from.position, |top| top.position)
         });
-        let shown = || orbit.before_the_end(oscillator).first().map(|flight| flight.from);
-        let late = orbit.end.or_else(shown).unwrap_or(start);
+        let late = orbit.end.unwrap_or(start);
         Self { start, late, fate: orbit.fate, impacts: orbit.impacts.clone(), at_phase_zero, highest }
     }
 
     /// Whether the outcome looks like another one.
     pub(super) fn is_like(&self, other: &Self) -> bool {
+        let cycle = |fate: &Fate| fate.periods.map(|periods| (periods, fate.rests));
         let (a, b) = (&self.fate, &other.fate);
-        if (a.kind, a.periods) != (b.kind, b.periods) {
+        if (a.kind, cycle(a)) != (b.kind, cycle(b)) {
             return false;
         }
         match a.kind {
