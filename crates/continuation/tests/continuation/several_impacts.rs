@@ -161,8 +161,9 @@ fn a_branch_that_ends_where_an_impact_loses_its_velocity_has_the_bifurcations_ju
     let start = locate(&equations, held, start, &mut EventTimes::default()).unwrap();
     let branch = SolutionCurve { equations, condition: Condition::Secondary(omega) };
     let window = Window { primary: [0.2, 1.3], secondary: [0.0, 2.0] };
-    let route =
-        Route { window, control: StepControl::DRAWING, step_limit: 5_000, stop_at_events: false, pace: None };
+    // In steps so long that the last one begins where solutions are stable.
+    let control = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-8 };
+    let route = Route { window, control, step_limit: 5_000, stop_at_events: false, pace: None };
     let faster = start.along(unknown::PRIMARY);
     let branch = branch.follow_both_ways(start, faster, &EventTimes::default(), &route).unwrap();
     let mut stable_before = 0;

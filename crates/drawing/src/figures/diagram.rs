@@ -136,7 +136,7 @@ pub fn draw_diagram(
         }
     }
     if named {
-        name_several(&mut labels, &several)?;
+        name_several(&mut labels, bounds, &several)?;
     }
     for (p, spot) in unnamed.iter().filter(|_| named) {
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;

@@ -7,7 +7,7 @@ use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
 use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SequenceVertex, SpecialPoint};
 
 use crate::error::DrawingError;
-use crate::geometry::sheet::{Spot, along, length, near};
+use crate::geometry::sheet::{Bounds, Spot, along, area, length, near};
 use crate::ink::elements::Filling;
 use crate::ink::labels::{Labels, Site};
 use crate::ink::legend;
@@ -233,13 +233,24 @@ pub fn draw_several(
     Ok(named)
 }
 
-/// Writes the names of such regions into those that have room.
+/// The least fraction of a panel that a region with a name fills.
+const NAMED_SHARE: f64 = 0.01;
+
+/// Writes the names of such regions into the larger ones of a panel, or beside them.
 ///
 /// # Errors
 /// A name cannot be set in the embedded fonts.
-pub fn name_several(labels: &mut Labels<'_>, regions: &[(String, Vec<Spot>)]) -> Result<(), DrawingError> {
-    for (name, shape) in regions {
-        labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Within(shape))?;
+pub fn name_several(
+    labels: &mut Labels<'_>,
+    panel: Bounds,
+    regions: &[(String, Vec<Spot>)],
+) -> Result<(), DrawingError> {
+    let least = NAMED_SHARE * (panel.right - panel.left) * (panel.bottom - panel.top);
+    for (name, shape) in regions.iter().filter(|(_, shape)| area(shape) >= least) {
+        let inside = labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Within(shape))?;
+        if !inside && let Some(spot) = labels.placer.deep_inside(shape) {
+            labels.add(name, SMALL_LABEL_SIZE, BLACK, &Site::Around(spot, 1.0))?;
+        }
     }
     Ok(())
 }

@@ -101,7 +101,7 @@ fn draw_window(figure: &Generations, panel: &mut Panel<'_>) -> Result<(), Drawin
             labels.add(letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Site::Anyhow(&spots, OFF_TRIANGLE))?;
         }
     }
-    name_several(&mut labels, &several)?;
+    name_several(&mut labels, panel.bounds, &several)?;
     labels.name_curves(drawn, NAMED_LENGTH, "grazing")?;
     labels.draw()?;
     panel.axes(r"$\mathcal{A}$", r"$\omega$")
