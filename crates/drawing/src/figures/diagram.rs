@@ -80,7 +80,7 @@ pub fn draw_diagram(
         }
     }
     let shaded = look.shows(RegionKind::SeveralImpacts);
-    let several = if shaded { draw_several(&mut panel, &diagram.several)? } else { Vec::new() };
+    let several = if shaded { draw_several(&mut panel, &mut labels, &diagram.several)? } else { Vec::new() };
     let drawn = draw_curves(&mut panel, &mut labels, shown_curves(&diagram.curves))?;
     let own = draw_own(&mut panel, &mut labels, &diagram.own)?;
     let mut sections = Vec::new();

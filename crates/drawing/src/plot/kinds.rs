@@ -214,18 +214,22 @@ pub fn draw_points<'a>(
     Ok(drawn)
 }
 
-/// Draws regions of solutions with several impacts; returns the name and the border of each that is decided
-/// and visible.
+/// Draws regions of solutions with several impacts, and makes labels avoid hatching; returns the name and the
+/// border of each that is decided and visible.
 ///
 /// # Errors
 /// As [`Panel::draw_series`].
 pub fn draw_several(
     panel: &mut Panel<'_>,
+    labels: &mut Labels<'_>,
     regions: &[SequenceVertex],
 ) -> Result<Vec<(String, Vec<Spot>)>, DrawingError> {
     let mut named = Vec::new();
     for region in Region::several(regions) {
         let border = region.draw(panel)?;
+        if region.kind == RegionKind::Undecided {
+            region.rings.iter().for_each(|ring| labels.placer.keep_off_nameless(&panel.spots(ring)));
+        }
         if !border.is_empty() && region.kind == RegionKind::SeveralImpacts {
             named.push((region.name, border));
         }
@@ -234,7 +238,7 @@ pub fn draw_several(
 }
 
 /// The least fraction of a panel that a region with a name fills.
-const NAMED_SHARE: f64 = 0.01;
+const NAMED_SHARE: f64 = 0.015;
 
 /// Writes the names of such regions into the larger ones of a panel, or beside them.
 ///

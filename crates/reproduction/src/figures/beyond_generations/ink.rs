@@ -75,7 +75,7 @@ fn trace(rows: &[LaterPoint]) -> Trace {
 
 fn draw_window(figure: &Generations, panel: &mut Panel<'_>) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    let several = draw_several(panel, &figure.regions)?;
+    let several = draw_several(panel, &mut labels, &figure.regions)?;
     for curve in figure.known.chunk_by(|a, b| a.arc == b.arc) {
         let spot = |row: &PlanePoint| match row.admissible {
             true => (row.primary, row.secondary),
