@@ -128,9 +128,9 @@ fn impacts_may_be_numbered_from_any_of_them() {
     let equations = LoopEquations::new(oscillator, 3, Formulation::FixedPhase);
     let impacts = [(0.3, 0.2), (0.1, 4.0), (0.15, 9.0)].map(|(y, z)| OnWall::new(y, z));
     let point = Unknowns::of_impacts(&impacts, [0.5, 0.6]);
-    for first in 0..3 {
+    for (first, impact) in impacts.iter().enumerate() {
         let other = point.beginning_with(first, 3);
-        assert_eq!(other.impact(0).velocity, impacts[first].velocity);
+        assert_eq!(other.impact(0).velocity, impact.velocity);
         // Phases go on rising, by no more than the whole time.
         let phases: Vec<f64> = (0..3).map(|index| other.impact(index).phase).collect();
         assert!(phases.is_sorted() && phases[2] - phases[0] < 3.0 * TAU);
