@@ -37,7 +37,7 @@ const OFF_TRIANGLE: f64 = 5.4;
 /// Draws the figure: above the window, below the magnifications.
 pub(super) fn draw(figure: &Generations, width: SheetWidth) -> Result<Sheet, DrawingError> {
     let wide = width.mm(WIDTH_MM);
-    let (window, each, in_a_row) = if wide < NARROW_MM { (78.0, 41.0, 2) } else { (105.0, 55.0, 3) };
+    let (window, each, in_a_row) = if wide < NARROW_MM { (77.0, 41.0, 2) } else { (103.0, 55.0, 3) };
     let panels: Vec<_> = figure.magnified.chunk_by(|a, b| a.panel == b.panel).zip(&figure.panels).collect();
     let rows = panels.len().div_ceil(in_a_row);
     let canvas = Canvas::new(wide, window + each * rows as f64)?;
@@ -58,8 +58,7 @@ pub(super) fn draw(figure: &Generations, width: SheetWidth) -> Result<Sheet, Dra
         "beyond_generations",
         "Resonances of motion that already hits the wall",
         "Above: forcing amplitude across, frequency up. Grey: the curves of Figure 7. Triangles: resonances on the curves along which its \
-         maximal periodic solutions graze; in colours, the curves of solutions with more impacts that leave them. Shaded: a solution \
-         with K impacts in P periods is stable, K/P. Below: three of these \
+         maximal periodic solutions graze; in colours, the curves of solutions with more impacts that leave them. Below: three of these \
          resonances magnified, with the quadratic approximations of the theorems dashed.",
     )
 }
