@@ -152,6 +152,7 @@ async function start() {
   share.attach();
   keys();
   following.onFollowed(redraw);
+  measured.onTold(redraw);
   diagram.onDiagram(() => {
     redraw();
     tiles.shaded();

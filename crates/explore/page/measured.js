@@ -5,7 +5,6 @@ import { $, count, make } from "./dom.js";
 import { isWhole } from "./diagram.js";
 import { modelOf, viewOf } from "./model.js";
 import { inks, onTheme } from "./palette.js";
-import { redraw } from "./plane.js";
 import * as state from "./state.js";
 
 /** Half the size of a mark in pixels. */
@@ -34,10 +33,14 @@ const comparing = new Latest({ failed: ({ message }) => told(() => (compared = {
 /** The measurements, with verdicts where they have been compared. */
 export const points = () => (state.get().data && file ? file.points.map((point) => ({ ...point, ...compared?.verdicts?.get(point.line) })) : []);
 
+let shown = () => {};
+/** What is done when there is more to be drawn. */
+export const onTold = (act) => (shown = act);
+
 function told(change) {
   change();
   list();
-  redraw();
+  shown();
 }
 
 /** Reads the file in the state if it has changed, and compares it once the diagram is there. */

@@ -215,23 +215,29 @@ pub fn draw_points<'a>(
 }
 
 /// Draws regions of solutions with several impacts, and makes labels avoid hatching; returns the name and the
-/// border of each that is decided and visible.
+/// border of each that is decided and visible: K/P for K impacts in P forcing periods.
 ///
 /// # Errors
 /// As [`Panel::draw_series`].
 pub fn draw_several(
     panel: &mut Panel<'_>,
     labels: &mut Labels<'_>,
-    regions: &[SequenceVertex],
+    vertices: &[SequenceVertex],
 ) -> Result<Vec<(String, Vec<Spot>)>, DrawingError> {
+    let region = |vertices: &[SequenceVertex]| {
+        let SequenceVertex { impacts, periods, kind, .. } = vertices[0];
+        let rings = rings(vertices, |vertex| (vertex.ring, (vertex.primary, vertex.secondary)));
+        (format!("{impacts}/{periods}"), Region { p: 0, kind, rings })
+    };
+    let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
+    regions.sort_by_key(|(_, region)| region.is_hatched());
     let mut named = Vec::new();
-    for region in Region::several(regions) {
+    for (name, region) in regions {
         let border = region.draw(panel)?;
-        if region.kind == RegionKind::Undecided {
+        if region.is_hatched() {
             region.rings.iter().for_each(|ring| labels.placer.keep_off_nameless(&panel.spots(ring)));
-        }
-        if !border.is_empty() && region.kind == RegionKind::SeveralImpacts {
-            named.push((region.name, border));
+        } else if !border.is_empty() {
+            named.push((name, border));
         }
     }
     Ok(named)
@@ -261,50 +267,34 @@ pub fn name_several(
 
 /// A region of the parameter plane; vertices are (across, up).
 pub(crate) struct Region {
-    /// The number of loops p, 0 for other solutions than MPSs.
     pub(crate) p: u32,
-    /// What is written inside.
-    pub(crate) name: String,
     pub kind: RegionKind,
     /// The border of the region and those of its holes.
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
 
+/// The polygons of the vertices of a region: those of the same ring, in order, form one.
+fn rings<V>(vertices: &[V], place: impl Fn(&V) -> (u32, (f64, f64))) -> Vec<Vec<(f64, f64)>> {
+    let rings = vertices.chunk_by(|a, b| place(a).0 == place(b).0);
+    rings.map(|ring| ring.iter().map(|vertex| place(vertex).1).collect()).collect()
+}
+
 impl Region {
-    /// Regions from their vertices: vertices with the same number form a region, and those of the same
-    /// ring, in order, form a polygon.
+    /// Regions from their vertices: vertices with the same number form a region.
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
         let region = |vertices: &[RegionVertex]| Region {
             p: vertices[0].loops,
-            name: format!("$p={}$", vertices[0].loops),
             kind: vertices[0].kind,
-            rings: vertices
-                .chunk_by(|a, b| a.ring == b.ring)
-                .map(|ring| ring.iter().map(|vertex| (vertex.primary, vertex.secondary)).collect())
-                .collect(),
+            rings: rings(vertices, |vertex| (vertex.ring, (vertex.primary, vertex.secondary))),
         };
-        Self::in_order(vertices.chunk_by(|a, b| a.region == b.region).map(region))
-    }
-
-    /// Regions of solutions with several impacts, K/P for K impacts in P forcing periods.
-    pub(crate) fn several(vertices: &[SequenceVertex]) -> Vec<Self> {
-        let region = |vertices: &[SequenceVertex]| Region {
-            p: 0,
-            name: format!("{}/{}", vertices[0].impacts, vertices[0].periods),
-            kind: vertices[0].kind,
-            rings: vertices
-                .chunk_by(|a, b| a.ring == b.ring)
-                .map(|ring| ring.iter().map(|vertex| (vertex.primary, vertex.secondary)).collect())
-                .collect(),
-        };
-        Self::in_order(vertices.chunk_by(|a, b| a.region == b.region).map(region))
-    }
-
-    /// The regions in the order of drawing: hatching above shading.
-    fn in_order(regions: impl Iterator<Item = Self>) -> Vec<Self> {
-        let mut regions: Vec<Self> = regions.collect();
-        regions.sort_by_key(|region| region.kind == RegionKind::Undecided);
+        let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
+        regions.sort_by_key(Self::is_hatched);
         regions
+    }
+
+    /// Whether the region is hatched, above all that are shaded.
+    fn is_hatched(&self) -> bool {
+        self.kind == RegionKind::Undecided
     }
 
     /// Fills or hatches the region; returns its border on the sheet if any of it is visible.

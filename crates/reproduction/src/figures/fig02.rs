@@ -48,7 +48,7 @@ impl PaperFigure for Figure2 {
         }
         for subject in &subjects {
             if !found.portraits.iter().any(|point| point.primary == subject.across) {
-                let said = "the orbit comes to the wall, where it is not followed further, so that there is no portrait of it";
+                let said = "the orbit rests at the wall for good or cannot be followed, so that there is no portrait of it";
                 notes.push(format!("amplitude {}: {said}", subject.across));
             }
         }
