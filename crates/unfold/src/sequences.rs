@@ -242,7 +242,11 @@ fn along_row(diagram: &Diagram, level: f64, progress: &dyn Progress) -> Vec<(Num
             if beside.is_empty() {
                 beside.push(cycle.from);
             }
-            if let Some(solution) = solution(diagram, &here, &orbit).filter(|_| cycle.impacts > 1) {
+            // Motion that rests at the wall has multipliers 0 and is no zero of the equations.
+            if cycle.impacts > 1
+                && cycle.rests == 0
+                && let Some(solution) = solution(diagram, &here, &orbit)
+            {
                 found.push(((cycle.impacts, cycle.periods), solution));
             }
         }

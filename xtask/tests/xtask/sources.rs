@@ -299,7 +299,8 @@ impl Sources {
 /// The most imports that lead from one to the next.
 const DEEPEST: usize = 20;
 
-fn shortest_circle(used: &[BTreeSet<usize>], file: usize) -> Option<Vec<usize>> {
+/// The shortest way from a file through those that it uses back to itself.
+pub(crate) fn shortest_circle(used: &[BTreeSet<usize>], file: usize) -> Option<Vec<usize>> {
     let mut before: BTreeMap<usize, usize> = BTreeMap::new();
     let mut queue = VecDeque::from([file]);
     while let Some(now) = queue.pop_front() {

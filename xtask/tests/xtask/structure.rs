@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use crate::sources::Sources;
+use crate::sources::{Sources, shortest_circle};
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
@@ -64,6 +64,28 @@ fn writes(sources: &Sources) -> impl Iterator<Item = (String, String)> {
 fn files_of_a_crate_do_not_use_each_other_in_circles() {
     let circles: BTreeSet<String> = CRATES.values().flatten().flat_map(Sources::circles).collect();
     assert!(circles.is_empty(), "{circles:#?}");
+}
+
+#[test]
+fn files_of_the_page_do_not_import_each_other_in_circles() {
+    let folder = root().join("crates/explore/page");
+    let names =
+        fs::read_dir(&folder).expect("it is there").map(|entry| entry.expect("it is there").file_name());
+    let names = names.map(|name| name.into_string().expect("it is text"));
+    let files: Vec<String> = names.filter(|name| name.ends_with(".js")).collect();
+    let imports = |name: &String| -> BTreeSet<usize> {
+        let text = fs::read_to_string(folder.join(name)).expect("it is text");
+        let from = text.lines().filter(|line| line.starts_with("import "));
+        let from = from.filter_map(|line| line.split_once("\"./")?.1.split_once('"')).map(|(other, _)| other);
+        // One is made from the table of kinds.
+        from.filter_map(|other| files.iter().position(|file| file == other)).collect()
+    };
+    let used: Vec<BTreeSet<usize>> = files.iter().map(imports).collect();
+    assert!(used.iter().map(BTreeSet::len).sum::<usize>() > files.len(), "{used:?}");
+    let circles = (0..files.len()).filter_map(|file| shortest_circle(&used, file));
+    let circles: Vec<Vec<&str>> =
+        circles.map(|circle| circle.into_iter().map(|file| &*files[file]).collect()).collect();
+    assert!(circles.is_empty(), "{circles:?}");
 }
 
 #[test]

@@ -243,8 +243,9 @@ pub fn draw_several(
     Ok(named)
 }
 
-/// The least fraction of a panel that a region with a name fills.
-const NAMED_SHARE: f64 = 0.015;
+/// The least fraction of a panel that a region with a name fills; smaller ones have no room for it in a narrow
+/// figure.
+const NAMED_SHARE: f64 = 0.016;
 
 /// Writes the names of such regions into the larger ones of a panel, or beside them.
 ///
