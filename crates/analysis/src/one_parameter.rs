@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use grazing_description::Description;
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::branches::OneParameter;
-use grazing_results::readings::{MotionReading, Ordinate};
+use grazing_results::readings::{MotionReading, Ordinate, Reading};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject};
 use grazing_unfold::progress::Progress;
@@ -25,6 +25,7 @@ pub const SAMPLING: Sampling = Sampling {
     lowest: None,
     seed: 1,
     readings: false,
+    impacts: 1,
 };
 
 /// Fills in the quantities that depend on the mass, in the oscillator's own units.
@@ -34,11 +35,25 @@ fn weigh(found: &mut OneParameter, description: &Description) {
         description.impulse_and_loss([velocity, if phase.is_nan() { 0.0 } else { phase }], parameters)
     };
     let period = |[mu, eta]: [f64; 2]| TAU / description.forcing_frequency(mu, eta);
-    for row in &mut found.readings {
-        let parameters = [row.primary, row.secondary];
-        let [impulse, loss] = impact(row.impact_velocity, row.impact_phase, parameters);
-        let time = f64::from(row.loops.max(1)) * period(parameters);
-        (row.impulse, row.force, row.power) = (impulse, impulse / time, loss / time);
+    let mut strands: Vec<&mut [Reading]> = found.readings.chunk_by_mut(|a, b| a.branch == b.branch).collect();
+    // The strands of the impacts of one solution follow each other.
+    let mut rest = &mut strands[..];
+    while let Some(count) = rest.first().map(|strand| strand[0].impacts.max(1) as usize) {
+        let (own, others) = rest.split_at_mut(count.min(rest.len()));
+        for point in 0..own[0].len() {
+            let mut sum = [0.0; 2];
+            for row in own.iter_mut().map(|strand| &mut strand[point]) {
+                let [impulse, loss] =
+                    impact(row.impact_velocity, row.impact_phase, [row.primary, row.secondary]);
+                row.impulse = impulse;
+                sum = [sum[0] + impulse, sum[1] + loss];
+            }
+            for row in own.iter_mut().map(|strand| &mut strand[point]) {
+                let time = f64::from(row.loops.max(1)) * period([row.primary, row.secondary]);
+                (row.force, row.power) = (sum[0] / time, sum[1] / time);
+            }
+        }
+        rest = others;
     }
     let same = |a: &MotionReading, b: &MotionReading| {
         (a.sweep, a.orbit, a.primary, a.secondary) == (b.sweep, b.orbit, b.primary, b.secondary)
@@ -84,16 +99,23 @@ pub(crate) fn diagrams(
     let (oscillator, scope) = prepared(description, &units, stop);
     for (diagram, setting) in (1..).zip(description.diagrams()) {
         let &grazing_description::OneParameter {
-            primary_is_fixed, at, range, seed, sweeps, ordinate, ..
+            primary_is_fixed,
+            at,
+            range,
+            seed,
+            sweeps,
+            ordinate,
+            impacts,
+            ..
         } = setting;
         let line = Line { diagram, primary_is_fixed, at, range }.without_dimensions(&units);
         let unit = if primary_is_fixed { units.secondary } else { units.primary };
         let subject = |across: &f64| Subject { across: across / unit, loops: None };
         let subjects: Vec<Subject> = setting.portraits.iter().map(subject).collect();
         let readings = sweeps || ordinate != Ordinate::X;
-        let sampling = Sampling { seed, readings, ..SAMPLING };
+        let sampling = Sampling { seed, readings, impacts, ..SAMPLING };
         let cut = Cut::follow(&oscillator, &scope, curves, line, progress);
-        let found = cut.map(|cut| {
+        let found = cut.map(|mut cut| {
             let mut found = cut.simulated(&sampling, &subjects, progress);
             if readings {
                 found.readings = cut.readings();

@@ -10,6 +10,7 @@ use grazing_results::place::{
     AtPlace, BasinState, PlaceAttractor, PlaceImpact, PlaceMotion, PlaceSolution, Simulated, SimulatedImpact,
     SimulatedMotion,
 };
+use grazing_unfold::Scope;
 use grazing_unfold::long_time::{MotionKind, Trajectory};
 use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Progress;
@@ -81,18 +82,18 @@ pub fn simulated(
     })
 }
 
-/// The attractors, periodic solutions for these p, and basins at a place with this number. The oscillator
+/// The attractors, periodic solutions in a scope, and basins at a place with this number. The oscillator
 /// is dimensionless, the rows are in its own units. None if the computation is cancelled.
 pub fn at_place(
     oscillator: &AnyOscillator,
-    loops: &[u32],
+    scope: &Scope,
     units: &Units,
     (place, [primary, secondary]): (u32, [f64; 2]),
     progress: &dyn Progress,
 ) -> Option<AtPlace> {
     let here = oscillator.with_parameters(units.without_dimensions([primary, secondary]));
     let starts = Starts { lattice: LATTICE, ..Starts::default() };
-    let found = Place::compute(&here, loops, &starts, progress)?;
+    let found = Place::compute(&here, scope, &starts, progress)?;
     let (length, velocity) = (units.length, units.velocity());
     let mut all = AtPlace {
         attractors: Vec::new(),
@@ -109,11 +110,13 @@ pub fn at_place(
     };
     for solution in &found.solutions {
         let Multipliers { trace, determinant } = solution.multipliers;
+        let [slowest, phase] = solution.impacts.first().copied().unwrap_or([f64::NAN; 2]);
         all.solutions.push(PlaceSolution {
             place,
             loops: solution.loops,
-            impact_velocity: solution.impact[0] * velocity,
-            impact_phase: centred(solution.impact[1]),
+            impacts: solution.impacts.len() as u32,
+            impact_velocity: slowest * velocity,
+            impact_phase: centred(phase),
             trace,
             determinant,
             stable: Stability::of(solution.multipliers),

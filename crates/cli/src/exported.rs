@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use askama::Template;
+use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_description::Description;
 use grazing_model::smooth::SmoothOscillator as _;
 use grazing_model::{ImpactOscillator as _, State};
@@ -85,7 +86,7 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let formula = |(formula, name): (&grazing_description::Expression, &str)| formula.fortran(name);
     let [force, frequency, restitution, duration] = description.formulas();
     let [mu, eta] = arguments.at;
-    let [velocity, phase] = solution.impact;
+    let [velocity, phase] = impact_of(&solution);
     let equations = Equations {
         title: description.name(),
         loops: solution.loops,
@@ -120,16 +121,22 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     Ok(())
 }
 
-/// An admissible solution with impacts at a place, if possible a stable one, in the units of the file;
+/// Velocity and phase of the only impact of a solution.
+fn impact_of(solution: &Solution) -> [f64; 2] {
+    solution.impacts.first().copied().unwrap_or([f64::NAN; 2])
+}
+
+/// An admissible solution with one impact at a place, if possible a stable one, in the units of the file;
 /// and its flight as lines `s u v t`.
 fn solution(description: &Description, at: [f64; 2], watch: &Watch) -> Result<(Solution, String), Failure> {
     let units = description.units();
     let [mu, eta] = at;
-    let oscillator = description.counted(units.without_dimensions([mu, eta]), &units, &watch.stop());
+    let Prepared { oscillator, scope, .. } = Prepared::new(description, axes(description), &watch.stop());
+    let oscillator = oscillator.with_parameters(units.without_dimensions([mu, eta]));
     let starts = Starts { states: 0, ..Starts::default() };
-    let found = Place::compute(&oscillator, description.loops(), &starts, &Silent);
+    let found = Place::compute(&oscillator, &scope, &starts, &Silent);
     let mut solutions = found.map_or(Vec::new(), |place| place.solutions);
-    solutions.retain(|solution| solution.loops > 0 && solution.admissible);
+    solutions.retain(|solution| solution.impacts.len() == 1 && solution.admissible);
     solutions.sort_by_key(|solution| !solution.multipliers.stable());
     let Some(mut chosen) = solutions.into_iter().next() else {
         return Err(Failure::input(format!(
@@ -137,8 +144,9 @@ fn solution(description: &Description, at: [f64; 2], watch: &Watch) -> Result<(S
             description.loops()
         )));
     };
-    chosen.impact[0] *= units.velocity();
-    let [y, z] = chosen.impact;
+    let [y, z] = impact_of(&chosen);
+    let y = y * units.velocity();
+    chosen.impacts = vec![[y, z]];
     let omega = description.forcing_frequency(mu, eta);
     let waits = description.impact_duration(y, z, mu, eta) * y;
     let recoil = State {

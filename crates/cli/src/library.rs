@@ -15,6 +15,7 @@ use grazing_explore::{Figure, Model, Seen, View, Wanted};
 use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
+use grazing_results::place::briefly;
 use grazing_results::{Names, Table, Tables};
 use grazing_source::{Setting, Text, nearest, suggestion};
 use grazing_unfold::progress::Progress;
@@ -144,8 +145,9 @@ impl Task<'_> {
         })?;
         let (listing, missing) = match &seen.figure {
             Figure::OneParameter(found) => {
-                let broken = found.broken.iter().map(|(loops, across, reason)| {
-                    format!("a branch of p = {loops} could not be followed beyond {across}: {reason}")
+                let broken = found.broken.iter().map(|(numbers, across, reason)| {
+                    let of = briefly(*numbers);
+                    format!("a branch of {of} could not be followed beyond {across}: {reason}")
                 });
                 (
                     listing::one_parameter(Layout::default(), &of.description, &seen.names, found),

@@ -170,7 +170,7 @@ impl Task {
         let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
         let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
         let place = |(number, at): (u32, &[f64; 2])| {
-            let found = at_place(&diagram.oscillator, &diagram.scope.loops, units, (number, *at), progress)?;
+            let found = at_place(&diagram.oscillator, &diagram.scope, units, (number, *at), progress)?;
             Some(AtPlace { from_the_wall: !description.wall().is_usual(), ..found })
         };
         let found: Vec<AtPlace> = (1..).zip(&self.at).map_while(place).collect();

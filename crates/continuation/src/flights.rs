@@ -1,6 +1,7 @@
 //! The motion of a periodic solution, flight by flight, and what is known of the solution from it.
 
 use grazing_model::motion::{Maximum, Motion};
+use grazing_model::orbit::{Flight, FlightEnd};
 use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
 use grazing_model::{ImpactOscillator, Passage, State};
@@ -27,6 +28,28 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                 .collect(),
             false => SmallVec::from_buf([flight(at_phase_zero(point).at_phase_zero())]),
         }
+    }
+
+    /// The flights of a solution as those of an orbit, timed from the first recoil; without impacts one
+    /// over a forcing period.
+    pub fn flown(&self, point: &Unknowns) -> Vec<Flight<O::Motion>> {
+        let oscillator = self.oscillator_at(point);
+        let (motions, spans) = (self.flights(point), self.spans(point));
+        let count = motions.len();
+        let flight = |(index, (motion, [start, duration])): (usize, (O::Motion, [f64; 2]))| {
+            let (from, end) = match self.has_impacts() {
+                true => {
+                    let next = point.impact((index + 1) % count);
+                    (self.recoil(point, index), FlightEnd::Impact(next.into()))
+                }
+                false => {
+                    let phase = oscillator.forcing_frequency().value * duration;
+                    (self.departure(point), FlightEnd::TimeIsUp(motion.at(duration).state(phase)))
+                }
+            };
+            Flight { start, from, motion, duration, end, rest: None }
+        };
+        motions.into_iter().zip(spans).enumerate().map(flight).collect()
     }
 
     /// The index of the flight at a time after the first recoil, and the time at which it begins.

@@ -224,7 +224,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The state just after the impact with an index.
-    fn recoil(&self, point: &Unknowns, impact: usize) -> State {
+    pub(crate) fn recoil(&self, point: &Unknowns, impact: usize) -> State {
         self.oscillator_at(point).reset::<1>(point.impact(impact)).image().into()
     }
 

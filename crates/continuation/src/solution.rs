@@ -126,6 +126,11 @@ impl PeriodicSolution {
         if self.has_impacts() { self.unknowns.lowest_velocity().1 } else { 0.0 }
     }
 
+    /// The number of impacts, 0 without any.
+    pub fn impacts(&self) -> usize {
+        if self.has_impacts() { self.unknowns.impacts() } else { 0 }
+    }
+
     /// Whether there is an impact in p forcing periods.
     pub fn has_impacts(&self) -> bool {
         self.loops > 0

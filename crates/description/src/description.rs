@@ -53,6 +53,8 @@ pub struct OneParameter {
     pub ordinate: Ordinate,
     /// Whether motion is followed as the parameter goes up and down.
     pub sweeps: bool,
+    /// The most impacts of solutions whose branches are followed.
+    pub impacts: u32,
 }
 
 /// A curve that the file requests, on which MPSs have a property.

@@ -13,6 +13,8 @@ use grazing_source::{Keys, Requirements, Section, SourceError, keys};
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves
 /// cannot be distinguished.
 pub(crate) const MOST_LOOPS: u32 = 12;
+/// The most impacts of solutions whose branches are followed in one-parameter diagrams.
+const MOST_IMPACTS: u32 = 16;
 /// The greatest number of generations.
 const MOST_GENERATIONS: u32 = 3;
 
@@ -71,7 +73,7 @@ keys! {
             "each [[curves]] is a curve on which maximal periodic solutions have a property, and holds name and one of impact_velocity, modulus, and distance with phase; it may hold loops; there are at most 8";
         /// One-parameter diagrams.
         diagrams: Vec<WrittenDiagram> = tables(0..=MOST_DIAGRAMS),
-            "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits, seed, ordinate and sweeps; there are at most 8";
+            "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits, seed, ordinate, sweeps and impacts; there are at most 8";
     }
 }
 
@@ -230,6 +232,9 @@ keys! {
         /// Motion is followed as the parameter goes up and down.
         sweeps: bool = or(value(), false),
             "sweeps must be true or false; if it is left out, it is false";
+        /// Branches of solutions with several impacts, up to so many, are followed from where simulated motion settles on them.
+        impacts: u32 = or(count(1..=MOST_IMPACTS), 1),
+            "the most impacts of solutions whose branches are followed must be a whole number from {} to {}; if it is left out, it is 1";
     }
 }
 

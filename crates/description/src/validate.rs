@@ -208,7 +208,7 @@ fn diagram(
     [primary, secondary]: [&Axis; 2],
     forbid: impl Fn(&str, String) -> SourceError,
 ) -> Result<OneParameter, SourceError> {
-    let WrittenDiagram { fixed, at, range, portraits, seed, ordinate, sweeps } = written.clone();
+    let WrittenDiagram { fixed, at, range, portraits, seed, ordinate, sweeps, impacts } = written.clone();
     let primary_is_fixed = fixed == primary.name;
     let (held, other) = if primary_is_fixed { (primary, secondary) } else { (secondary, primary) };
     if fixed != held.name {
@@ -228,5 +228,5 @@ fn diagram(
             return Err(forbid(name, allowed));
         }
     }
-    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed, ordinate, sweeps })
+    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed, ordinate, sweeps, impacts })
 }

@@ -7,7 +7,7 @@ import { description, modelOf, viewOf } from "./model.js";
 import { margins, redraw, shown as marks, titleOf } from "./plane.js";
 import { showPlane, told } from "./place.js";
 import { heightTitle } from "./portraits.js";
-import { curveInk, inks, loopsInk, loopsNames, onTheme, wordInk } from "./palette.js";
+import { curveInk, inks, loopsInk, loopsNames, onTheme, solutionInk, wordInk } from "./palette.js";
 import * as state from "./state.js";
 
 /**
@@ -151,7 +151,10 @@ export function draw() {
   line(value.place[at], ink.place, []);
   // The solutions at the place, if velocities are the ordinate.
   if (ordinate.name === "impact velocity") {
-    for (const { p, velocity } of told()?.solutions ?? []) ring(context, to([value.place[at], p ? velocity : 0]), loopsInk(p, ink));
+    for (const { p, impacts } of told()?.solutions ?? []) {
+      const velocities = p === 0 ? [0] : impacts.map(([velocity]) => velocity);
+      for (const velocity of velocities) ring(context, to([value.place[at], velocity]), solutionInk({ p, impacts: impacts.length }, ink));
+    }
   }
   if (marks.pointer !== null) line(marks.pointer, ink.muted, [3, 3]);
   end();
@@ -195,9 +198,11 @@ function legend({ strands, left_out: leftOut = [] }) {
     Object.assign(path.style, { stroke: colour, strokeWidth: width, strokeDasharray: dashes, opacity });
     return make("svg", { viewBox: "0 0 28 10", "aria-hidden": "true" }, path);
   };
-  const numbers = [...new Set(strands.map(({ p }) => Math.min(p, ink.loops.length - 1)))].sort();
+  const several = (strand) => strand.impacts > 1;
+  const numbers = [...new Set(strands.filter((strand) => !several(strand)).map(({ p }) => Math.min(p, ink.loops.length - 1)))].sort();
   const entries = [
     ...numbers.map((p) => [line(loopsInk(p, ink), WIDTHS.stable), loopsNames()[p]]),
+    ...(strands.some(several) ? [[line(ink.periodic, WIDTHS.stable), "several impacts (impacts/periods)"]] : []),
     [line(ink.ink, WIDTHS.unstable), "unstable"],
     ...(strands.some(({ points }) => points.some(([, , stability]) => stability === "neutral")) ? [[line(ink.ink, WIDTHS.neutral, "9 2"), "neutral"]] : []),
     [line(ink.ink, WIDTHS.unstable, "3 3", 0.6), "hits the wall in between"],
@@ -210,13 +215,13 @@ function drawFound(context, { strands, bifurcations, dots, values, old }, to, in
   drawDots(context, dots, values, to, ink, old ? 0.25 : strength);
   context.globalAlpha = 1;
   const box = [frame.x - 5, frame.y - 5, frame.x + frame.w + 5, frame.y + frame.h + 5];
-  for (const { p, points } of strands) {
+  for (const { p, impacts, points } of strands) {
     let from = 0;
     for (let at = 1; at <= points.length; at += 1) {
       const same = at < points.length && points[at][2] === points[from][2] && points[at][3] === points[from][3];
       if (same) continue;
       const [, , stability, admissible] = points[from];
-      context.strokeStyle = loopsInk(p, ink);
+      context.strokeStyle = solutionInk({ p, impacts }, ink);
       context.globalAlpha = (admissible ? 1 : 0.45) * strength;
       context.lineWidth = admissible ? WIDTHS[stability] : WIDTHS.unstable;
       context.setLineDash(!admissible ? [3, 3] : stability === "neutral" ? [9, 2] : []);
@@ -229,7 +234,7 @@ function drawFound(context, { strands, bifurcations, dots, values, old }, to, in
   context.globalAlpha = strength;
   context.setLineDash([]);
   const taken = [];
-  for (const { kind, p, at, x } of bifurcations) {
+  for (const { kind, p, impacts, at, x } of bifurcations) {
     const [px, py] = to([at, x]);
     context.beginPath();
     context.arc(px, py, 3.6, 0, 2 * Math.PI);
@@ -237,7 +242,8 @@ function drawFound(context, { strands, bifurcations, dots, values, old }, to, in
     context.strokeStyle = ink.rim;
     context.fill();
     context.stroke();
-    const words = kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]];
+    const of = impacts > 1 ? [[`${impacts}/${p}`, ""]] : [["p", "italic"], [` = ${p}`, ""]];
+    const words = kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ...of];
     const wide = kind === "graz" ? 48 : 56;
     // To the right and above if possible; omitted if it would hide another.
     const corners = [[7, -6], [7, 15], [-7 - wide, -6], [-7 - wide, 15]].map(([dx, dy]) => [px + dx, py + dy]);

@@ -1,4 +1,4 @@
-// The curve through a solution at the place along which the impact velocity is constant.
+// The curve through a solution at the place along which the velocity of its slowest impact is constant.
 import { number } from "./dom.js";
 import { ask, Latest } from "./api.js";
 import { resay, say } from "./diagram.js";
@@ -32,8 +32,10 @@ export function follow(value, live) {
   latest.now(async (signal) => {
     const found = await ask("follow", body, signal);
     if (signal.aborted) return;
-    const name = `velocity ${number(body.velocity, 3)}`;
-    curves = found.map((curve, at) => ({ ...curve, key: `followed ${at}`, followed: true, name, property: `impact velocity = ${number(body.velocity, 6)}`, of }));
+    const [[velocity]] = body.impacts;
+    const name = `velocity ${number(velocity, 3)}`;
+    const property = `${body.impacts.length > 1 ? "lowest " : ""}impact velocity = ${number(velocity, 6)}`;
+    curves = found.map((curve, at) => ({ ...curve, key: `followed ${at}`, followed: true, name, property, of }));
     changed();
   });
 }
@@ -41,5 +43,5 @@ export function follow(value, live) {
 /** Whether a solution is the followed one. */
 export const isFollowed = (solution, at) => {
   const { follow: own } = state.get();
-  return own !== null && own.p === solution.p && own.velocity === solution.velocity && own.at.join() === at.join();
+  return own !== null && own.p === solution.p && own.impacts.join() === solution.impacts.join() && own.at.join() === at.join();
 };

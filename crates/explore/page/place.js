@@ -4,7 +4,7 @@ import { $, coordinate, count, make, multipliers, number, rested } from "./dom.j
 import { ask, Latest } from "./api.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
-import { attractorInks, loopsInk, onTheme } from "./palette.js";
+import { attractorInks, onTheme, solutionInk } from "./palette.js";
 import { drawPortraits } from "./portraits.js";
 import { isFollowed } from "./follow.js";
 import { nearest } from "./pick.js";
@@ -47,16 +47,26 @@ function nameOf({ kind, periods, impacts, rests, loops, waited }) {
   return `Periodic: ${count(struck, "impact")} in ${count(periods, "period")}`;
 }
 
-/** The name of a solution with its impact velocity. */
-const mps = ({ p, velocity }) => (p === 0 ? KINDS["non-impacting"] : `MPS, ${count(p, "loop")}, velocity ${number(velocity, 3)}`);
+/** The numbers of impacts and periods of a solution, briefly: p, or with several impacts "3/2". */
+const numbers = ({ p, impacts }) => (impacts.length > 1 ? `${impacts.length}/${p}` : String(p));
+
+/** The name of a solution with the velocity of its slowest impact. */
+function nameOfSolution({ p, impacts }) {
+  if (impacts.length === 0) return KINDS["non-impacting"];
+  const kind = impacts.length === 1 ? `MPS, ${count(p, "loop")}` : `${count(impacts.length, "impact")} in ${count(p, "period")}`;
+  return `${kind}, velocity ${number(impacts[0][0], 3)}`;
+}
+
+const inkOf = ({ p, impacts }) => solutionInk({ p, impacts: impacts.length });
 
 const percent = (share) => `${Math.round(100 * share)} %`;
-/** The keys of solutions, "p-k" for the k-th with this p. */
+/** The keys of solutions, "p-k" for the k-th with this p, or "K/p-k". */
 function keysOf(solutions) {
   const counts = new Map();
-  return solutions.map(({ p }) => {
-    counts.set(p, (counts.get(p) ?? 0) + 1);
-    return `${p}-${counts.get(p)}`;
+  return solutions.map((each) => {
+    const own = numbers(each);
+    counts.set(own, (counts.get(own) ?? 0) + 1);
+    return `${own}-${counts.get(own)}`;
   });
 }
 
@@ -93,9 +103,9 @@ class Card {
     const picture = (name, label) => (this[name] = make("canvas", { class: `picture ${name}`, role: "img", "aria-label": label }));
     this.pictures = make("div", { class: "pictures" }, picture("time", "Time series"), picture("phase", "Phase portrait"), picture("strikes", "Impacts by phase and velocity"));
     this.table = make("tbody");
-    const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Impact velocity"], ["multipliers", "Floquet multipliers"], ["stability", ""], ["admissible", "Whether the orbit stays clear of the wall between impacts"]];
+    const heads = [[make("i", {}, "p"), "Loops, or impacts/periods; press to draw"], ["velocity", "Impact velocity, the lowest of several"], ["multipliers", "Floquet multipliers"], ["stability", ""], ["admissible", "Whether the orbit stays clear of the wall between impacts"]];
     const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
-    this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
+    this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Periodic solutions"), make("thead", {}, head), this.table));
     this.follows = make("p", { class: "row", hidden: true });
     this.hint = make("p", { class: "muted", hidden: true }, "Followed from the previous place; a full search starts when the place rests.");
     this.body = make("div", { class: "card-body" }, this.pictures, this.attractors, this.hint, this.solutions, this.follows);
@@ -167,7 +177,7 @@ class Card {
     else if (this.longer?.of === JSON.stringify([body.model, body.at])) body.periods = this.longer.periods;
     // If a complete search takes too long, only known motion is followed during dragging.
     if (live && this.answer && this.slow && this.known === knownAs(body)) {
-      const solutions = this.answer.solutions.filter(({ p }) => p > 0).map(({ p, velocity, phase }) => [p, velocity, phase]);
+      const solutions = this.answer.solutions.filter(({ p }) => p > 0).map(({ p, impacts }) => [p, impacts]);
       body.nearby = { solutions, attractors: this.answer.attractors.map(({ states, state }) => [states, state]) };
     }
     return body;
@@ -213,7 +223,7 @@ class Card {
     const { attractors, solutions } = this.answer;
     const inks = attractorInks(attractors);
     const missed = this.missed();
-    this.short.textContent = [...attractors.map((each) => `${nameOf(each)} ${percent(each.share)}`), ...missed.map((each) => `${mps(each)}: stable, not reached`)].join("; ");
+    this.short.textContent = [...attractors.map((each) => `${nameOf(each)} ${percent(each.share)}`), ...missed.map((each) => `${nameOfSolution(each)}: stable, not reached`)].join("; ");
     const rows = attractors.map((each, index) => {
       const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
       swatch.style.background = inks[index];
@@ -230,8 +240,8 @@ class Card {
     const starts = count(this.answer.states, "random start");
     const others = missed.map((each) => {
       const swatch = make("span", { class: "swatch open", "aria-hidden": "true" });
-      swatch.style.color = loopsInk(each.p);
-      return make("li", {}, swatch, make("span", { class: "name" }, mps(each)), make("b", {}, "0 %"), make("span", { class: "detail" }, `stable, but none of the ${starts} reached it`));
+      swatch.style.color = inkOf(each);
+      return make("li", {}, swatch, make("span", { class: "name" }, nameOfSolution(each)), make("b", {}, "0 %"), make("span", { class: "detail" }, `stable, but none of the ${starts} reached it`));
     });
     const head = make("li", { class: "head" }, `Reached from ${starts}`);
     this.attractors.replaceChildren(...(rows.length ? [head, ...rows] : [make("li", {}, "No attractor was found.")]), ...others);
@@ -241,9 +251,9 @@ class Card {
     const lines = solutions.map((each, index) => {
       const key = keys[index];
       const pressed = this.drawn.has(key);
-      const button = make("button", { type: "button", class: "small toggle", "data-key": key, "aria-pressed": pressed, "aria-label": `Draw p = ${each.p}`, onclick: () => this.toggle(key) }, String(each.p));
-      button.style.setProperty("--ink", loopsInk(each.p));
-      const velocity = each.p === 0 ? "–" : number(each.velocity, 4);
+      const button = make("button", { type: "button", class: "small toggle", "data-key": key, "aria-pressed": pressed, "aria-label": `Draw ${nameOfSolution(each)}`, onclick: () => this.toggle(key) }, numbers(each));
+      button.style.setProperty("--ink", inkOf(each));
+      const velocity = each.p === 0 ? "–" : number(each.impacts[0][0], 4);
       return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stability === "stable", each.stability), mark(each.admissible));
     });
     this.table.replaceChildren(...lines);
@@ -267,8 +277,8 @@ class Card {
   }
 
   /**
-   * Offers to follow the MPS whose button was pressed last: along a parameter, in the cut, or in the plane at its
-   * velocity.
+   * Offers to follow the solution whose button was pressed last: along a parameter, in the cut, or in the plane at
+   * its velocity.
    */
   offerToFollow() {
     const { solutions } = this.answer;
@@ -276,13 +286,14 @@ class Card {
     const found = solutions[keysOf(solutions).indexOf(key)];
     this.follows.hidden = this.key === "kept" || !(found?.p > 0);
     if (this.follows.hidden) return;
-    const { p, velocity, phase } = found;
+    const { p, impacts } = found;
     const button = (patch, ...words) => make("button", { type: "button", class: "small", onclick: () => state.update(patch) }, ...words);
     const along = (axis, cut) => button({ cut, ordinate: "impact velocity" }, "along ", ...elements(axisPieces(axis)));
     const on = isFollowed(found, at);
-    const held = button({ follow: on ? null : { at, p, velocity, phase } }, "at this velocity");
+    const held = button({ follow: on ? null : { at, p, impacts } }, "at this velocity");
     held.setAttribute("aria-pressed", on);
-    this.follows.replaceChildren("Follow ", make("i", {}, "p"), ` = ${p}: `, along(description.primary, "secondary"), along(description.secondary, "primary"), held);
+    const of = impacts.length > 1 ? [`${numbers(found)}: `] : [make("i", {}, "p"), ` = ${p}: `];
+    this.follows.replaceChildren("Follow ", ...of, along(description.primary, "secondary"), along(description.secondary, "primary"), held);
   }
 
   toggle(key) {
@@ -296,7 +307,7 @@ class Card {
     const inks = attractorInks(attractors);
     const keys = keysOf(solutions);
     const moving = attractors.map(({ orbit, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: periods ? 1.4 : 0.7, periods, repeats: Boolean(periods) }));
-    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stability }) => ({ orbit: orbit ?? [], ink: loopsInk(p), wide: 1.4, dashed: stability !== "stable", periods: p || 1, repeats: true }));
+    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map((each) => ({ orbit: each.orbit ?? [], ink: inkOf(each), wide: 1.4, dashed: each.stability !== "stable", periods: each.p || 1, repeats: true }));
     const strikes = attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] }));
     // The attractor of most states is drawn on top.
     drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period });
@@ -306,9 +317,10 @@ class Card {
     const { attractors, solutions } = this.answer;
     const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
     const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of the states`).join("; ");
-    const stable = solutions.filter((each) => each.p > 0 && each.stability === "stable" && each.admissible).map(({ p }) => p);
-    const missed = this.missed().map(({ p }) => p);
-    speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${stable.length ? `Stable and admissible: p = ${stable.join(", ")}.` : "No MPS is stable and admissible."}${missed.length ? ` Reached by none of the ${this.answer.states} states: p = ${missed.join(", ")}.` : ""}`);
+    const named = (each) => (each.impacts.length > 1 ? nameOfSolution(each) : `p = ${each.p}`);
+    const stable = solutions.filter((each) => each.p > 0 && each.stability === "stable" && each.admissible).map(named);
+    const missed = this.missed().map(named);
+    speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${stable.length ? `Stable and admissible: ${stable.join(", ")}.` : "No solution with impacts is stable and admissible."}${missed.length ? ` Reached by none of the ${this.answer.states} states: ${missed.join(", ")}.` : ""}`);
   }
 }
 

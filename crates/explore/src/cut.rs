@@ -41,6 +41,8 @@ enum Fixed {
     Secondary,
 }
 
+/// The most impacts of solutions whose branches are followed from where motion settles on them.
+const MOST_IMPACTS: u32 = 4;
 /// The range of the parameter that is held, as a share of the file's: only its lower end is used.
 const HELD: f64 = 0.01;
 
@@ -74,7 +76,7 @@ impl CutLine {
         progress: &dyn Progress,
         stop: &Stop,
     ) -> Result<OneParameter, Problem> {
-        let followed = self.follow(model, progress, stop)?;
+        let mut followed = self.follow(model, progress, stop)?;
         Ok(followed.simulated(SAMPLING, progress))
     }
 }
@@ -88,9 +90,14 @@ struct Followed {
 }
 
 impl Followed {
-    fn simulated(&self, sampling: Sampling, progress: &dyn Progress) -> OneParameter {
-        let sampling = Sampling { readings: self.ordinate != Ordinate::X, ..sampling };
-        self.read(self.cut.simulated(&sampling, &[], progress))
+    fn simulated(&mut self, sampling: Sampling, progress: &dyn Progress) -> OneParameter {
+        let read = self.ordinate != Ordinate::X;
+        let sampling = Sampling { readings: read, impacts: MOST_IMPACTS, ..sampling };
+        let found = self.cut.simulated(&sampling, &[], progress);
+        if read {
+            self.readings = self.cut.readings();
+        }
+        self.read(found)
     }
 
     /// A diagram as it is shown.
@@ -101,11 +108,14 @@ impl Followed {
 }
 
 pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
-    let followed = request.line.follow(&request.model, events, stop)?;
+    let mut followed = request.line.follow(&request.model, events, stop)?;
     events.send("branches", &event(&followed.read(followed.cut.diagram()).seen()));
     // As in the diagrams that a file asks for, but with fewer dots, to be quick.
     let found = followed.simulated(Sampling { recorded: 16, ..SAMPLING }, events).seen();
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
+    if found.branches.iter().any(|point| point.impacts > 1) {
+        events.send("branches", &event(&found));
+    }
     events.send(
         "dots",
         &json!({"frame": found.frame.y, "dots": dots, "values": SAMPLING.values, "left_out": found.simulated.map(|orbits| orbits.left_out())}),
@@ -119,12 +129,12 @@ fn event(found: &OneParameter) -> Value {
         let point = |row: &BranchPoint| {
             json!([found.across(row), row.x, row.stable.name(), u8::from(row.admissible)])
         };
-        json!({"p": rows[0].loops, "points": rows.iter().map(point).collect::<Vec<_>>()})
+        json!({"p": rows[0].loops, "impacts": rows[0].impacts, "points": rows.iter().map(point).collect::<Vec<_>>()})
     };
     let bifurcations = found
         .bifurcations
         .iter()
-        .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "at": found.across(row), "x": row.x}));
+        .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "impacts": row.impacts, "at": found.across(row), "x": row.x}));
     // A strand is broken where a visit is unknown.
     let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
     json!({

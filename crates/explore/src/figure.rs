@@ -118,7 +118,7 @@ impl Seen {
             Wanted::Cut(line) => Figure::OneParameter(line.diagram(model, progress, stop)?),
             Wanted::Place(at) => {
                 place::check(&of, *at)?;
-                let found = at_place(&of.oscillator, &of.scope.loops, &of.axes.units, (1, *at), progress);
+                let found = at_place(&of.oscillator, &of.scope, &of.axes.units, (1, *at), progress);
                 let from_the_wall = !model.description(None, stop)?.wall().is_usual();
                 Figure::Place(AtPlace { from_the_wall, ..found.ok_or_else(Problem::ended)? })
             }

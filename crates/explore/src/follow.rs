@@ -1,4 +1,4 @@
-//! The curve through a solution along which the impact velocity is constant.
+//! The curve through a solution along which the velocity of its impact, the slowest of several, is constant.
 
 use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::curve::Curve;
@@ -6,6 +6,7 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
 };
+use grazing_model::OnWall;
 use grazing_model::smooth::Stop;
 use grazing_unfold::levels::{Property, through};
 use serde::Deserialize;
@@ -14,28 +15,29 @@ use serde_json::{Value, json};
 use crate::answer::Problem;
 use crate::diagram::{OWN_CURVE, eigenvalues, named};
 use crate::model::{Model, View};
-use crate::place::FARTHEST;
+use crate::place::{FARTHEST, is_sought};
 
 /// The request for a curve through a solution.
 #[derive(Deserialize)]
 pub(crate) struct FollowRequest {
     model: Model,
     view: View,
-    /// The place of an MPS of p loops, with velocity and phase of its impact.
+    /// The place of a solution that recurs after p forcing periods, with velocities and phases of its impacts.
     at: [f64; 2],
     p: u32,
-    velocity: f64,
-    phase: f64,
+    impacts: Vec<[f64; 2]>,
 }
 
 pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Problem> {
-    let &FollowRequest { ref model, ref view, at, p, velocity, phase } = request;
+    let &FollowRequest { ref model, ref view, at, p, ref impacts } = request;
     let of = model.prepared(Some(view), stop)?;
     let [primary, secondary] = of.without_dimensions(at);
     let Prepared { oscillator, scope, axes, .. } = of;
     let units = axes.units;
-    let near = Unknowns::new(velocity / units.velocity(), phase, primary, secondary);
-    let known = scope.loops.contains(&p) && scope.window.contains([primary, secondary]);
+    let struck: Vec<OnWall> =
+        impacts.iter().map(|[velocity, phase]| OnWall::new(velocity / units.velocity(), *phase)).collect();
+    let known = is_sought(&scope.loops, p, impacts) && scope.window.contains([primary, secondary]);
+    let near = Unknowns::of_impacts(&struck, [primary, secondary]);
     if !(known && near.iter().all(|number| number.abs() <= FARTHEST)) {
         return Err(Problem::wrong("the view contains no such solution"));
     }

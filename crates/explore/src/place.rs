@@ -28,11 +28,11 @@ pub(crate) struct PlaceRequest {
     nearby: Option<NearbyMotion>,
 }
 
-/// MPSs, as p, velocity and phase, and attractors, as the number of states that reach it and a
-/// state on it, in a form that only this program reads.
+/// Solutions, as p with velocity and phase of their impacts, and attractors, as the number of states that
+/// reach it and a state on it, in a form that only this program reads.
 #[derive(Deserialize)]
 struct NearbyMotion {
-    solutions: Vec<(u32, f64, f64)>,
+    solutions: Vec<(u32, Vec<[f64; 2]>)>,
     attractors: Vec<(u32, [f64; 3])>,
 }
 
@@ -40,15 +40,18 @@ impl NearbyMotion {
     fn nearby(&self, loops: &[u32], units: &Units) -> Option<Nearby> {
         let few = self.solutions.len().max(self.attractors.len()) <= MOST_STATES as usize;
         let counted = self.attractors.iter().all(|(states, _)| (1..=MOST_STATES).contains(states));
-        let solutions = self.solutions.iter().filter(|(p, ..)| loops.contains(p));
+        let solutions = self.solutions.iter().filter(|(p, impacts)| is_sought(loops, *p, impacts));
         let attractors = self.attractors.iter();
         let near = |value: f64| value.abs() <= FARTHEST;
-        let moderate = self.solutions.iter().all(|(_, velocity, _)| near(velocity / units.velocity()))
+        let struck =
+            |impacts: &[[f64; 2]]| impacts.iter().all(|[velocity, _]| near(velocity / units.velocity()));
+        let moderate = self.solutions.iter().all(|(_, impacts)| struck(impacts))
             && self.attractors.iter().all(|(_, [position, velocity, _])| near(*position) && near(*velocity));
+        let without_dimensions = |impacts: &[[f64; 2]]| {
+            impacts.iter().map(|[velocity, phase]| [velocity / units.velocity(), *phase]).collect()
+        };
         (few && counted && moderate).then(|| Nearby {
-            solutions: solutions
-                .map(|(p, velocity, phase)| (*p, [velocity / units.velocity(), *phase]))
-                .collect(),
+            solutions: solutions.map(|(p, impacts)| (*p, without_dimensions(impacts))).collect(),
             attractors: attractors
                 .map(|&(states, [position, velocity, phase])| {
                     // No motion begins beyond the wall.
@@ -59,6 +62,18 @@ impl NearbyMotion {
     }
 }
 
+/// Whether solutions with such impacts in so many forcing periods are sought: MPSs of the numbers of loops, and
+/// all with several impacts, but not very many.
+pub(crate) fn is_sought(loops: &[u32], p: u32, impacts: &[[f64; 2]]) -> bool {
+    match impacts.len() {
+        1 => loops.contains(&p),
+        several => (2..=MOST_IMPACTS).contains(&several) && (1..=MOST_LOOPS).contains(&p),
+    }
+}
+
+/// The most impacts and forcing periods of a solution: motion with more is not recognised as periodic.
+const MOST_IMPACTS: usize = 256;
+const MOST_LOOPS: u32 = 256;
 /// The most initial states: more take longer than anybody waits.
 const MOST_STATES: u32 = 200;
 /// The most forcing periods: more take longer than anybody waits.
@@ -102,7 +117,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             let states = request.states.unwrap_or(usual.states).clamp(1, MOST_STATES);
             let longest = request.periods.unwrap_or(usual.horizon.longest).min(MOST_PERIODS);
             let horizon = Horizon { longest, ..usual.horizon };
-            Place::compute(&here, &of.scope.loops, &Starts { states, horizon, ..usual }, stop)
+            Place::compute(&here, &of.scope, &Starts { states, horizon, ..usual }, stop)
         }
         Some(motion) => {
             let nearby = motion.nearby(&of.scope.loops, &units).ok_or_else(|| {
@@ -119,16 +134,16 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     };
     let reached = reached(&found);
     let solution = |(solution, reached): (&Solution, &bool)| {
-        let Solution { loops, impact, multipliers, admissible, orbit } = solution;
+        let Solution { loops, impacts, multipliers, admissible, orbit } = solution;
+        let impacts = impacts.iter().map(|[velocity, phase]| [velocity * units.velocity(), *phase]);
         json!({
             "p": loops,
-            "velocity": impact[0] * units.velocity(),
-            "phase": impact[1],
+            "impacts": impacts.collect::<Vec<_>>(),
             "multipliers": eigenvalues(multipliers),
             "stability": Stability::of(*multipliers).name(),
             "admissible": admissible,
             "reached": reached,
-            "orbit": flights(core::slice::from_ref(orbit)),
+            "orbit": flights(orbit),
         })
     };
     let attractor = |attractor: &Attractor| {
@@ -159,25 +174,28 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     }))
 }
 
-/// Of each solution, whether it is the nearest to an attractor with as many loops.
+/// Of each solution, whether it is the nearest to an attractor with as many impacts and loops.
 fn reached(found: &Place) -> Vec<bool> {
     let highest = |flights: &[Vec<[f64; 3]>]| {
         flights.iter().flatten().map(|[_, x, _]| *x).fold(f64::NEG_INFINITY, f64::max)
     };
-    // What tells solutions with the same number of loops apart.
-    let of_solution = |solution: &Solution| match solution.loops {
-        0 => highest(core::slice::from_ref(&solution.orbit)),
-        _ => solution.impact[0],
+    // What tells solutions with the same numbers apart.
+    let of_solution = |solution: &Solution| match solution.impacts.first() {
+        None => highest(&solution.orbit),
+        Some([slowest, _]) => *slowest,
     };
     let mut reached = vec![false; found.solutions.len()];
     for attractor in &found.attractors {
-        let own = match attractor.fate.loops() {
-            Some(0) => highest(&attractor.flights),
-            _ => attractor.strikes.first().map_or(f64::NAN, |strike| strike[1]),
+        let Some((impacts, loops)) = attractor.fate.numbers() else { continue };
+        let own = match impacts {
+            0 => highest(&attractor.flights),
+            _ => attractor.strikes.iter().map(|[_, velocity]| *velocity).fold(f64::INFINITY, f64::min),
         };
         let alike = (0..reached.len()).filter(|k| {
-            let Solution { loops, multipliers, admissible, .. } = &found.solutions[*k];
-            Some(*loops) == attractor.fate.loops() && multipliers.stable() && *admissible
+            let solution = &found.solutions[*k];
+            (solution.impacts.len(), solution.loops) == (impacts, loops)
+                && solution.multipliers.stable()
+                && solution.admissible
         });
         let far = |k: usize| (of_solution(&found.solutions[k]) - own).abs();
         if let Some(nearest) = alike.min_by(|a, b| far(*a).total_cmp(&far(*b))) {

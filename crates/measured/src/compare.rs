@@ -9,11 +9,11 @@ use grazing_model::smooth::Stop;
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
 use grazing_results::place::struck;
-use grazing_unfold::Diagram;
 use grazing_unfold::long_time::{Fate, MotionKind};
 use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::regions::Region;
+use grazing_unfold::{Diagram, Scope};
 
 use crate::associate::{Metric, nearest};
 use crate::read::{Observation, Seen};
@@ -256,7 +256,8 @@ impl Beside<'_> {
     fn simulated(&self, seen: Seen, at: [f64; 2]) -> Verdict {
         let starts = Starts { states: STATES, ..Starts::default() };
         let here = self.diagram.oscillator.with_parameters(at);
-        let Some(found) = Place::compute(&here, &[], &starts, self.stop) else {
+        let no_loops = Scope { loops: Vec::new(), ..self.diagram.scope.clone() };
+        let Some(found) = Place::compute(&here, &no_loops, &starts, self.stop) else {
             return (Agreement::Undecided, NOT_FINISHED.to_owned());
         };
         let total: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();

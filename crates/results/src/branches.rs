@@ -19,6 +19,7 @@ rows! {
     BranchPoint {
         diagram: u32 = DIAGRAM,
         loops: u32 = LOOPS,
+        impacts: u32 = SOLUTION_IMPACTS,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
         x: f64 = X_ON_SECTION,
@@ -35,6 +36,7 @@ rows! {
         diagram: u32 = DIAGRAM,
         kind: Bifurcation = BIFURCATION,
         loops: u32 = LOOPS,
+        impacts: u32 = SOLUTION_IMPACTS,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
         impact_velocity: f64 = IMPACT_VELOCITY,
@@ -135,8 +137,8 @@ impl Orbits {
 tables! {
     /// A one-parameter diagram of an oscillator; Figure 2 is one.
     OneParameter {
-        /// Branches with p = 0 are non-impacting. Consecutive points with equal p and branch form one
-        /// curve.
+        /// Branches with p = 0 are non-impacting. Consecutive points with equal p, impacts and branch form
+        /// one curve.
         branches: BranchPoint = "diagram_branches",
             "a point of a branch of a one-parameter diagram, on one loop of the solution",
         /// They are of admissible solutions.
@@ -169,9 +171,9 @@ tables! {
         motion: Vec<MotionReading>,
         /// The numbers of simulated orbits; none if the simulation was not completed.
         simulated: Option<Orbits>,
-        /// Branches of MPSs that could not be followed to their end: p, the varying parameter there, and
-        /// the reason.
-        broken: Vec<(u32, f64, String)>,
+        /// Branches of solutions with impacts that could not be followed to their end: the numbers of impacts
+        /// and of forcing periods, the varying parameter there, and the reason.
+        broken: Vec<([u32; 2], f64, String)>,
         /// Sentences about items that are shown elsewhere than requested, or not at all.
         notes: Vec<String>,
     }
@@ -247,6 +249,7 @@ impl OneParameter {
         let point = |row: &Reading| BranchPoint {
             diagram: row.diagram,
             loops: row.loops,
+            impacts: row.impacts,
             secondary: row.secondary,
             primary: row.primary,
             x: row.read(ordinate),
@@ -266,7 +269,8 @@ impl OneParameter {
                 let aside = [row.primary - found.primary, row.secondary - found.secondary].map(f64::abs);
                 aside[0] + aside[1] + if velocity.is_nan() { 0.0 } else { velocity.abs() }
             };
-            let same = self.readings.iter().filter(|row| row.loops == found.loops);
+            let same =
+                self.readings.iter().filter(|row| (row.loops, row.impacts) == (found.loops, found.impacts));
             let nearest = same.min_by(|a, b| far(a).total_cmp(&far(b)));
             found.x = nearest.map_or(f64::NAN, |row| row.read(ordinate));
         }

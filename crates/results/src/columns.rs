@@ -71,8 +71,10 @@ columns! {
     PRIMARY_AT_GRAZING = "{primary}_graz", "{primary_graz}", "{primary}", "eq:Agraz";
     /// secondary parameter at the resonance
     SECONDARY_AT_RESONANCE = "{secondary}_star", "{secondary}^*", "{secondary}", "eq:resonance1, eq:resonancep";
-    /// number of loops of the solution; 0: non-impacting
+    /// number of loops of the solution, in which it recurs: as many forcing periods; 0: non-impacting
     LOOPS = "p", "p", "1";
+    /// number of impacts of the solution in p forcing periods; 0: non-impacting, 1: MPS
+    SOLUTION_IMPACTS = "impacts", "K", "1";
     /// integer n of the resonance: in one forcing period, neighbouring motion makes n half-turns (p = 1) or n whole turns (p ≥ 2); for the paper's oscillator, ω₁/ω =
     /// n/2 for p = 1 and n + 1/(2p) for p ≥ 2. A SN or PD curve has the n of the resonance that it leaves, in the window or
     /// beyond it; a GZ curve or a point that of the curves that end there, a region the greatest of those on its border; 0 without a resonance of the same p
@@ -99,7 +101,7 @@ columns! {
     CODIMENSION_TWO = "kind", "", "1";
     /// `non-impacting`: the non-impacting solution is stable and admissible; `mps`: a p-loop MPS is; `both`: both are; `several-impacts`: a solution with several impacts is; `undecided`: this could not be decided
     REGION_KIND = "kind", "", "1";
-    /// velocity y of the solution's only impact
+    /// velocity y of the solution's impact; of several, of that beside this row, or else the lowest
     IMPACT_VELOCITY = "impact_velocity", r"y_{\mathrm{imp}}", "length/time";
     /// z_imp − z_graz(η), reduced to (−π, π]
     IMPACT_PHASE = "impact_phase", r"z_{\mathrm{imp}}-z_{\mathrm{graz}}", "rad";

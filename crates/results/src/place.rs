@@ -23,6 +23,7 @@ rows! {
     PlaceSolution {
         place: u32 = PLACE,
         loops: u32 = LOOPS,
+        impacts: u32 = SOLUTION_IMPACTS,
         impact_velocity: f64 = IMPACT_VELOCITY,
         impact_phase: f64 = PHASE_OF_IMPACT,
         trace: f64 = TRACE,
@@ -150,6 +151,15 @@ pub fn loops(periods: f64, [impacts, rests]: [f64; 2]) -> Option<u32> {
     }
 }
 
+/// The solutions with so many impacts in so many forcing periods, briefly: `p = 2` with one impact, and
+/// `3 impacts in 2 periods` with more.
+pub fn briefly([impacts, periods]: [u32; 2]) -> String {
+    match impacts {
+        0 | 1 => format!("p = {periods}"),
+        _ => struck(periods.into(), [f64::from(impacts) / f64::from(periods), 0.0]),
+    }
+}
+
 fn several(count: f64, what: &str) -> String {
     format!("{count:.0} {what}{}", if count > 1.5 { "s" } else { "" })
 }
@@ -171,9 +181,14 @@ pub fn struck(periods: f64, [impacts, rests]: [f64; 2]) -> String {
 impl PlaceSolution {
     /// A description of the solution in words.
     pub fn words(&self) -> String {
-        match self.loops {
+        let velocity = brief(self.impact_velocity, 4);
+        match self.impacts {
             0 => "motion without impacts".to_owned(),
-            p => format!("the MPS with p = {p} and impact velocity {}", brief(self.impact_velocity, 4)),
+            1 => format!("the MPS with p = {} and impact velocity {velocity}", self.loops),
+            impacts => format!(
+                "the solution with {} and lowest impact velocity {velocity}",
+                briefly([impacts, self.loops])
+            ),
         }
     }
 }

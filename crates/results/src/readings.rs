@@ -34,6 +34,7 @@ rows! {
     Reading {
         diagram: u32 = DIAGRAM,
         loops: u32 = LOOPS,
+        impacts: u32 = SOLUTION_IMPACTS,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
         impact_velocity: f64 = IMPACT_VELOCITY,

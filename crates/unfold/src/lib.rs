@@ -95,6 +95,7 @@ pub mod resonances;
 mod scope;
 mod search;
 pub mod sequences;
+mod settled;
 pub mod sides;
 mod sight;
 pub mod simulation;

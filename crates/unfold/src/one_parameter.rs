@@ -15,6 +15,7 @@ mod visits;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::curve::Curve;
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_model::AnyOscillator;
 use grazing_results::Frame;
@@ -28,6 +29,7 @@ pub use portraits::Subject;
 
 use crate::curves::DiagramCurve;
 use crate::progress::Progress;
+use crate::settled::{Recurring, Through};
 use crate::slices::{FREE_STEPS, Slice, Slicer};
 use crate::stretches::broken_at;
 use crate::tolerances::BETWEEN_EVENTS_ON_A_CUT;
@@ -70,6 +72,9 @@ pub struct Sampling {
     pub seed: u64,
     /// Whether quantities other than x are read as well.
     pub readings: bool,
+    /// The most impacts of solutions with several impacts whose branches are followed, from where orbits
+    /// settle on them and from period doublings; 1 for none.
+    pub impacts: u32,
 }
 
 /// The branches on a line.
@@ -82,8 +87,9 @@ pub struct Cut {
     branches: Vec<Branch>,
 }
 
-/// The name of the stage.
+/// The names of the stages.
 const BRANCHES: &str = "branches of a one-parameter diagram";
+const SEVERAL: &str = "branches of solutions with several impacts";
 
 /// Heights of the highest point at which motion without impacts is looked for, the wall's distance
 /// from rest being of order one.
@@ -186,8 +192,9 @@ impl Cut {
         });
         let of_mps = self.branches.iter().filter(|branch| branch.equations.has_impacts());
         let ends = of_mps.flat_map(|branch| {
-            let of_loops = |(primary, reason)| (branch.equations.loops(), primary, reason);
-            broken_at(&branch.curve).map(of_loops)
+            let of_branch =
+                |(primary, reason)| ([branch.impacts(), branch.equations.loops()], primary, reason);
+            broken_at(&branch.curve).map(of_branch)
         });
         OneParameter {
             diagram,
@@ -224,9 +231,9 @@ impl Cut {
     }
 
     /// The diagram with long-term behaviour and phase portraits, or without them if the computation
-    /// was cancelled.
+    /// was cancelled; branches of solutions with several impacts are added, if any are wanted.
     pub fn simulated(
-        &self,
+        &mut self,
         sampling: &Sampling,
         subjects: &[Subject],
         progress: &dyn Progress,
@@ -247,7 +254,7 @@ impl Cut {
         };
         let sampled =
             range.map(|range| long_time_behaviour(&self.oscillator, at, range, (sampling, lowest), progress));
-        let Sampled { visits, readings, orbits } = sampled.unwrap_or_default();
+        let Sampled { visits, readings, orbits, settled } = sampled.unwrap_or_default();
         let scene = Scene {
             oscillator: &self.oscillator,
             branches: &self.branches,
@@ -257,6 +264,10 @@ impl Cut {
             seed: sampling.seed,
         };
         let portraits = scene.of_all(subjects, progress);
+        if sampling.impacts > 1 && !progress.stopped() {
+            self.continue_several(&settled, sampling.impacts, progress);
+            found = self.oriented();
+        }
         if !progress.stopped() {
             let visit = |[primary, x]: [f64; 2]| AttractorPoint { diagram: 0, secondary: at, primary, x };
             found.attractor = visits.into_iter().map(visit).collect();
@@ -268,6 +279,24 @@ impl Cut {
             found.simulated = Some(orbits);
         }
         self.placed(found)
+    }
+
+    /// Adds the branches of solutions with several impacts through some of them, and those that begin at
+    /// period doublings.
+    fn continue_several(&mut self, settled: &[Recurring], most: u32, progress: &dyn Progress) {
+        let through = Through {
+            oscillator: &self.oscillator,
+            window: self.scope.window,
+            secondary: self.line.at,
+            most: most as usize,
+        };
+        let known: Vec<(LoopEquations, Curve)> = self
+            .branches
+            .iter()
+            .map(|Branch { equations, curve }| (equations.clone(), curve.clone()))
+            .collect();
+        let found = progress.during(SEVERAL, 1, || through.branches(settled, &known));
+        self.branches.extend(found.into_iter().map(|(equations, curve)| Branch { equations, curve }));
     }
 }
 

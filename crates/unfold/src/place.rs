@@ -4,37 +4,40 @@
 mod basins;
 mod outcome;
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipliers, Unknowns, unknown};
+use grazing_continuation::mps::{LoopEquations, Multipliers, Unknowns, unknown};
 use grazing_model::orbit::Flight;
 use grazing_model::phase::turned;
-use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 
 use self::basins::basins;
 use self::outcome::{Known, Outcome, each, long_orbit};
+use crate::Scope;
 use crate::long_time::{
     Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled,
     sampled_flight, sampled_solution, time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
+use crate::settled::{Recurring, Through, equations, solution};
+use crate::slices::passing;
 use crate::tolerances::BETWEEN_ORBITS;
 
 /// A periodic solution, stable or not.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// Number of loops p; 0 for the non-impacting solution.
+    /// Number of loops p, or of forcing periods with several impacts; 0 for the non-impacting solution.
     pub loops: u32,
-    /// Velocity and phase (y, z) of the impact; NaN without one.
-    pub impact: [f64; 2],
+    /// Velocities and phases (y, z) of the impacts in the order of time, the slowest first; phases are not
+    /// reduced.
+    pub impacts: Vec<[f64; 2]>,
     /// The multipliers of the solution.
     pub multipliers: Multipliers,
     /// Whether no part of the solution except its impact lies beyond the wall.
     pub admissible: bool,
-    /// The orbit (t, x, y) along a period; the phase is zero at t = 0.
-    pub orbit: Vec<[f64; 3]>,
+    /// The flights, (t, x, y) along each; the phase is zero at t = 0.
+    pub orbit: Vec<Vec<[f64; 3]>>,
 }
 
 /// An attractor of some of the initial states.
@@ -58,8 +61,8 @@ pub struct Attractor {
 /// The solutions and attractors found at a nearby place.
 #[derive(Clone, Debug)]
 pub struct Nearby {
-    /// The number of loops p of MPSs, with velocity and phase of their impacts.
-    pub solutions: Vec<(u32, [f64; 2])>,
+    /// The numbers of loops p of solutions, with velocities and phases of their impacts.
+    pub solutions: Vec<(u32, Vec<[f64; 2]>)>,
     /// States on attractors, and the number of initial states that approach each.
     pub attractors: Vec<(u32, State)>,
 }
@@ -124,17 +127,24 @@ const MOTION: &str = "motion on the attractors";
 /// Impact velocity below which MPSs are not distinguished from grazing.
 const SLOWEST: f64 = BETWEEN_ORBITS * search::USUAL_VELOCITY;
 
+/// The most impacts of a solution whose branch is followed.
+const MOST_IMPACTS: usize = 8;
+
 /// The horizon for motion from a nearby attractor, which needs little time.
 const FOLLOWED: Horizon = Horizon::drifting(100, 32);
 
 impl Solution {
     fn of(equations: &LoopEquations, point: &Unknowns) -> Self {
+        let point = &match equations.has_impacts() {
+            true => point.beginning_with(point.lowest_velocity().0, equations.loops()),
+            false => point.clone(),
+        };
         let solution = equations.solution(point);
         let period = equations.oscillator_at(point).forcing_period();
         let begin = time_of_phase(equations.departure(point).phase, period);
         Self {
             loops: equations.loops(),
-            impact: if equations.has_impacts() { equations.impact(&solution) } else { [f64::NAN; 2] },
+            impacts: (0..solution.impacts()).map(|index| impact_of(point, index).into()).collect(),
             multipliers: solution.multipliers,
             admissible: solution.admissible(),
             orbit: sampled_solution(equations, point, begin),
@@ -224,9 +234,12 @@ impl Attractor {
 
 impl Place {
     /// The place at the oscillator's own parameters; `None` if the computation was cancelled.
+    ///
+    /// Solutions with several impacts are those on which some state settles, and all others on the same
+    /// branches in the range of the primary parameter.
     pub fn compute(
         oscillator: &AnyOscillator,
-        loops: &[u32],
+        scope: &Scope,
         starts: &Starts,
         progress: &dyn Progress,
     ) -> Option<Self> {
@@ -236,20 +249,25 @@ impl Place {
         };
         let states: Vec<(u32, State)> = (0..starts.states).map(start).collect();
         let lattice: Vec<State> = starts.on_lattice().collect();
-        let found = || search::at(oscillator, loops, SLOWEST, progress);
+        let found = |settled: &[Recurring]| {
+            let mut found = search::at(oscillator, &scope.loops, SLOWEST, progress);
+            found.extend(on_branches(oscillator, scope, settled));
+            found
+        };
         Self::of(oscillator, (&states, &lattice), starts.horizon, progress, found)
     }
 
     /// The continuation of the solutions and attractors of a nearby place, which takes little time;
     /// new ones are not found.
     pub fn followed(oscillator: &AnyOscillator, nearby: &Nearby, progress: &dyn Progress) -> Option<Self> {
-        let found = || {
-            let mut found: Vec<(u32, Unknowns)> = Vec::new();
-            for (loops, impact) in &nearby.solutions {
-                let here = solved(oscillator, *loops, &Vector2::from(*impact));
-                let new = here.filter(|here| {
-                    here[unknown::VELOCITY] > SLOWEST && !is_known(&found, *loops, &impact_of(here))
-                });
+        let found = |_: &[Recurring]| {
+            let mut found: Vec<Recurring> = Vec::new();
+            for (loops, impacts) in &nearby.solutions {
+                let impacts: Vec<OnWall> = impacts.iter().map(|&[y, z]| OnWall::new(y, z)).collect();
+                let near = Unknowns::of_impacts(&impacts, oscillator.parameters());
+                let here = solved(oscillator, *loops, &near);
+                let new =
+                    here.filter(|here| here.lowest_velocity().1 > SLOWEST && !is_known(&found, *loops, here));
                 found.extend(new.map(|here| (*loops, here)));
             }
             found
@@ -263,7 +281,7 @@ impl Place {
         (starts, lattice): (&[(u32, State)], &[State]),
         horizon: Horizon,
         progress: &dyn Progress,
-        found: impl FnOnce() -> Vec<(u32, Unknowns)>,
+        found: impl FnOnce(&[Recurring]) -> Vec<Recurring>,
     ) -> Option<Self> {
         let period = oscillator.forcing_period();
         let follow = |&(states, from): &(u32, State)| (states, Outcome::of(oscillator, from, horizon));
@@ -276,17 +294,16 @@ impl Place {
         progress.begin(SOLUTIONS, 1);
         let outcomes = || known.different.iter().map(|(_, outcome)| outcome);
         let free = non_impacting(oscillator, outcomes());
-        let mut found: Vec<(u32, Unknowns)> =
-            free.into_iter().map(|point| (0, point)).chain(found()).collect();
+        let settled: Vec<Recurring> = outcomes().filter_map(|one| one.near.clone()).collect();
+        let mut found: Vec<Recurring> =
+            free.into_iter().map(|point| (0, point)).chain(found(&settled)).collect();
         // A periodic attractor is a solution as well, even if no other search has found it.
-        for one in outcomes() {
-            let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
-            let Some((loops, impact)) = near else { continue };
-            if !is_known(&found, loops, impact) {
-                found.extend(solved(oscillator, loops, impact).map(|point| (loops, point)));
+        for (loops, near) in settled {
+            if !is_known(&found, loops, &near) {
+                found.extend(solved(oscillator, loops, &near).map(|point| (loops, point)));
             }
         }
-        found.sort_by_key(|(loops, _)| *loops);
+        found.sort_by_key(|(loops, point)| (point.impacts(), *loops));
         let solution = |(loops, point)| Solution::of(&equations(oscillator, loops), &point);
         let solutions = found.into_iter().map(solution).collect();
         progress.step(SOLUTIONS);
@@ -314,7 +331,8 @@ fn non_impacting<'a>(
     let rest = [[0.0, 0.0], [-1.0, 0.0], [-0.5, 0.5], [-0.5, -0.5]];
     let mut found: Vec<Unknowns> = Vec::new();
     for [x, y] in starts.chain(rest) {
-        let Some(orbit) = solved(oscillator, 0, &Vector2::new(x, y)) else { continue };
+        let [primary, secondary] = oscillator.parameters();
+        let Some(orbit) = solved(oscillator, 0, &Unknowns::new(x, y, primary, secondary)) else { continue };
         if !found.iter().any(|known| (known - &orbit).norm() < BETWEEN_ORBITS) {
             found.push(orbit);
         }
@@ -322,29 +340,45 @@ fn non_impacting<'a>(
     found
 }
 
-/// The equations of solutions with p loops.
-fn equations(oscillator: &AnyOscillator, loops: u32) -> LoopEquations {
-    LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase)
-}
-
-/// Velocity and phase of the impact of an MPS.
-fn impact_of(point: &Unknowns) -> Vector2<f64> {
-    Vector2::new(point[unknown::VELOCITY], point[unknown::PHASE])
-}
-
-/// Whether the MPS with an impact is among these.
-fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> bool {
+/// The solutions at a place on the branches of solutions with several impacts through some of them.
+fn on_branches(oscillator: &AnyOscillator, scope: &Scope, settled: &[Recurring]) -> Vec<Recurring> {
+    let here @ [primary, secondary] = oscillator.parameters();
+    let most = MOST_IMPACTS;
+    let starts = settled.iter().filter(|(_, near)| (2..=most).contains(&near.impacts()));
+    let starts = starts.filter_map(|(periods, near)| Some((*periods, solved(oscillator, *periods, near)?)));
+    let starts: Vec<Recurring> = starts.collect();
+    let through = Through { oscillator, window: scope.window, secondary, most };
+    let mut found: Vec<Recurring> = Vec::new();
+    for (equations, branch) in through.branches(&starts, &[]) {
+        for place in passing(&branch, unknown::PRIMARY, primary) {
+            let periods = equations.loops();
+            let new = solution(&equations, &place, here).filter(|point| {
+                point.lowest_velocity().1 > SLOWEST
+                    && !equations.recurs_sooner(point)
+                    && !is_known(&found, periods, point)
+            });
+            found.extend(new.map(|point| (periods, point)));
+        }
+    }
     found
-        .iter()
-        .any(|(other, point)| *other == loops && same_impact(BETWEEN_ORBITS, &impact_of(point), impact))
 }
 
-/// The solution with an impact near another; for p = 0 the one whose position and velocity at phase
-/// zero are near others.
-fn solved(oscillator: &AnyOscillator, loops: u32, impact: &Vector2<f64>) -> Option<Unknowns> {
-    let [primary, secondary] = oscillator.parameters();
-    let equations = equations(oscillator, loops);
-    let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
-    let near = Unknowns::new(impact[0], impact[1], primary, secondary);
-    locate(&equations, here, near, &mut EventTimes::default()).ok()
+/// Velocity and phase of the impact of a solution with an index.
+fn impact_of(point: &Unknowns, index: usize) -> Vector2<f64> {
+    let OnWall { velocity, phase } = point.impact(index);
+    Vector2::new(velocity, phase)
+}
+
+/// Whether a solution is among these, whichever of its impacts is the first.
+fn is_known(found: &[Recurring], loops: u32, one: &Unknowns) -> bool {
+    let first = impact_of(one, 0);
+    let alike = found.iter().filter(|(other, point)| (*other, point.impacts()) == (loops, one.impacts()));
+    alike.into_iter().any(|(_, point)| {
+        (0..point.impacts()).any(|index| same_impact(BETWEEN_ORBITS, &impact_of(point, index), &first))
+    })
+}
+
+/// The solution near a point; for p = 0 the one whose position and velocity at phase zero are near.
+fn solved(oscillator: &AnyOscillator, loops: u32, near: &Unknowns) -> Option<Unknowns> {
+    solution(&equations(oscillator, loops), near, oscillator.parameters())
 }

@@ -10,10 +10,9 @@ use std::collections::BTreeMap;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns};
+use grazing_continuation::mps::{LoopEquations, Unknowns};
 use grazing_model::smooth::Purpose;
-use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_model::{ImpactOscillator, State};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
@@ -25,6 +24,7 @@ use crate::long_time::{Horizon, LongOrbit, random_start};
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::Unlocated;
+use crate::settled;
 use crate::survey::Survey;
 
 /// The solutions with K impacts in P forcing periods.
@@ -242,31 +242,14 @@ fn along_row(diagram: &Diagram, level: f64, progress: &dyn Progress) -> Vec<(Num
             if beside.is_empty() {
                 beside.push(cycle.from);
             }
-            // Motion that rests at the wall has multipliers 0 and is no zero of the equations.
             if cycle.impacts > 1
-                && cycle.rests == 0
-                && let Some(solution) = solution(diagram, &here, &orbit)
+                && let Some((periods, near)) = settled::near(&here, &orbit)
+                && let Some(solution) =
+                    settled::solution(&diagram.equations(periods), &near, here.parameters())
             {
-                found.push(((cycle.impacts, cycle.periods), solution));
+                found.push(((cycle.impacts, periods), solution));
             }
         }
     }
     found
-}
-
-/// The periodic solution on which an orbit has settled.
-fn solution(diagram: &Diagram, oscillator: &AnyOscillator, orbit: &LongOrbit) -> Option<Unknowns> {
-    let cycle = orbit.cycle?;
-    let frequency = oscillator.forcing_frequency().value;
-    let (flights, struck) = (orbit.flights.get(..cycle.impacts)?, orbit.impacts.get(..cycle.impacts)?);
-    let (first, begin) = (struck.first()?, flights.first()?);
-    let end = |index: usize| flights[index].start + flights[index].duration;
-    // Phases are not reduced.
-    let phase = |index: usize| first[1] + frequency * (end(index) - (begin.start + begin.duration));
-    let impacts: Vec<OnWall> =
-        struck.iter().enumerate().map(|(index, impact)| OnWall::new(impact[0], phase(index))).collect();
-    let here @ [primary, secondary] = oscillator.parameters();
-    let held = [Condition::Primary(primary), Condition::Secondary(secondary)];
-    let near = Unknowns::of_impacts(&impacts, here);
-    locate(&diagram.equations(cycle.periods), held, near, &mut EventTimes::default()).ok()
 }

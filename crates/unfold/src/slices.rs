@@ -351,6 +351,11 @@ pub(crate) struct Crossing {
     times: EventTimes,
 }
 
+/// Points beside those at which a curve has a given value of one of the unknowns.
+pub(crate) fn passing(curve: &Curve, unknown: usize, value: f64) -> impl Iterator<Item = Unknowns> {
+    crossings(curve, unknown, value).map(|crossing| crossing.place)
+}
+
 /// The points at which the chords of a curve have a given value of one of the unknowns.
 pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Iterator<Item = Crossing> {
     curve.points.windows(2).filter_map(move |pair| {

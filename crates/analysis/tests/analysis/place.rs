@@ -74,7 +74,7 @@ fn basins_of_irregular_motion_cost_some_periods_a_state_and_every_stage_has_a_na
         let here = of.oscillator.with_parameters(of.without_dimensions(at));
         let starts = Starts { states: 2, lattice, ..Starts::default() };
         let before = stop.steps();
-        let place = Place::compute(&here, &[1, 2], &starts, &stages).expect("nobody stops it");
+        let place = Place::compute(&here, &of.scope, &starts, &stages).expect("nobody stops it");
         assert_eq!(place.attractors[0].fate.kind, MotionKind::Chaotic);
         let [all, in_basin] = [lattice[0] * lattice[1], place.basins.len() as u32];
         assert_eq!(all, in_basin);

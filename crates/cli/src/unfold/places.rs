@@ -71,9 +71,10 @@ mod tests {
 
     #[test]
     fn a_neutral_solution_is_named_though_no_attractor_shows_it() {
-        let solution = |loops, stable, admissible| PlaceSolution {
+        let solution = |loops: u32, stable, admissible| PlaceSolution {
             place: 1,
             loops,
+            impacts: loops.min(1),
             impact_velocity: 0.25,
             impact_phase: 0.0,
             trace: 0.5,

@@ -181,6 +181,7 @@ mod tests {
             BranchPoint {
                 diagram: 2,
                 loops: k / 101,
+                impacts: u32::from(k >= 101),
                 secondary: 0.855,
                 primary: share * across,
                 x: (share * f64::from(k / 101) - 0.4) * up,
@@ -215,6 +216,7 @@ mod tests {
                 diagram,
                 kind,
                 loops,
+                impacts: 1,
                 secondary,
                 primary: 0.5 * across,
                 impact_velocity,

@@ -157,6 +157,11 @@ pub const fn branch_pen(p: u32, width: f64) -> Pen {
     Pen::solid(kinds::loops_colours(p)[0], width)
 }
 
+/// The pen of branches of solutions with several impacts, in the colour of periodic motion.
+pub(crate) const fn several_pen(width: f64) -> Pen {
+    Pen::solid(kinds::PERIODIC[0], width)
+}
+
 pub(crate) const STABLE_WIDTH: f64 = 1.7;
 pub(crate) const UNSTABLE_WIDTH: f64 = 0.55;
 pub(crate) const NEUTRAL_WIDTH: f64 = 1.1;

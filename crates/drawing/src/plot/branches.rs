@@ -16,7 +16,7 @@ use crate::ink::labels::{Labels, Site};
 use crate::ink::legend;
 use crate::ink::style::{
     CLOUD, LABEL_SIZE, NEUTRAL_DASHES, NEUTRAL_WIDTH, POINT_RADIUS, POINT_RIM, Paint, Pen, SMALL_LABEL_SIZE,
-    STABLE_WIDTH, SWEEP_DOWN, SWEEP_SIZE, SWEEP_UP, THRESHOLD, UNSTABLE_WIDTH, branch_pen,
+    STABLE_WIDTH, SWEEP_DOWN, SWEEP_SIZE, SWEEP_UP, THRESHOLD, UNSTABLE_WIDTH, branch_pen, several_pen,
 };
 use crate::plot::axes::Panel;
 use crate::plot::cloud::{LONG_TIME, draw_cloud};
@@ -25,8 +25,24 @@ use crate::plot::kinds::{label, pen, text_colour};
 /// The number of dots of which one is named.
 const NAMED_DOTS: usize = 40;
 
+/// Numbers of impacts and of forcing periods of solutions.
+type Numbers = (u32, u32);
+
+/// Their name in a diagram.
+fn name((impacts, loops): Numbers) -> String {
+    match impacts {
+        0 | 1 => format!("$p={loops}$"),
+        _ => format!("{impacts}/{loops}"),
+    }
+}
+
+/// The pen of their branches.
+fn pen_of((impacts, loops): Numbers, width: f64) -> Pen {
+    if impacts > 1 { several_pen(width) } else { branch_pen(loops, width) }
+}
+
 /// Draws branches, attractor and bifurcations of one panel, with their labels. Consecutive points with
-/// equal p and branch are a strand: one loop of a solution as the parameter changes.
+/// equal p, impacts and branch are a strand: one loop of a solution as the parameter changes.
 pub(crate) fn diagram(
     panel: &mut Panel<'_>,
     mut labels: Labels<'_>,
@@ -50,19 +66,20 @@ pub(crate) fn diagram(
         let meaning = format!("sweep {}", sweep.name());
         panel.draw_series(heads)?.label(&meaning).legend(legend::line(pen))?;
     }
-    // The pieces of each p.
-    let mut pieces: Vec<(u32, Vec<Vec<Spot>>)> = Vec::new();
-    let strands = figure.branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch));
+    // The pieces of each kind of solutions.
+    let mut pieces: Vec<(Numbers, Vec<Vec<Spot>>)> = Vec::new();
+    let numbers = |point: &BranchPoint| (point.impacts, point.loops);
+    let strands = figure.branches.chunk_by(|a, b| (numbers(a), a.branch) == (numbers(b), b.branch));
     let mut strands: Vec<_> = strands.collect();
-    // Where branches coincide, the one with the least p is visible: others have more strands.
-    strands.sort_by_key(|strand| Reverse(strand[0].loops));
+    // Where branches coincide, the one with the fewest impacts and loops is visible: others have more strands.
+    strands.sort_by_key(|strand| Reverse(numbers(&strand[0])));
     for strand in strands {
-        let p = strand[0].loops;
+        let own = numbers(&strand[0]);
         for piece in strand_pieces(panel, figure, strand)? {
             labels.placer.keep_off(&piece);
-            match pieces.iter_mut().find(|(known, _)| *known == p) {
+            match pieces.iter_mut().find(|(known, _)| *known == own) {
                 Some((_, known)) => known.push(piece),
-                None => pieces.push((p, vec![piece])),
+                None => pieces.push((own, vec![piece])),
             }
         }
     }
@@ -70,39 +87,44 @@ pub(crate) fn diagram(
     for (_, own) in &mut pieces {
         own.sort_by(|a, b| length(b).total_cmp(&length(a)));
     }
-    for (p, _) in pieces.iter().filter(|(p, _)| *p > 0) {
-        panel.canvas.explain(&format!("$p={p}$"), legend::line(branch_pen(*p, STABLE_WIDTH)))?;
+    for (own, _) in pieces.iter().filter(|((impacts, _), _)| *impacts == 1) {
+        panel.canvas.explain(&name(*own), legend::line(pen_of(*own, STABLE_WIDTH)))?;
+    }
+    if pieces.iter().any(|((impacts, _), _)| *impacts > 1) {
+        let meaning = "several impacts (impacts/periods)";
+        panel.canvas.explain(meaning, legend::line(several_pen(STABLE_WIDTH)))?;
     }
     let dots: Vec<Spot> =
         cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)).collect();
     labels.placer.avoid(dots.iter().copied());
     let grazing = names.grazing_title();
-    let mut named: Vec<(Bifurcation, u32)> = Vec::new();
-    let visible: Vec<(Bifurcation, u32, (f64, f64))> = figure
+    let mut named: Vec<(Bifurcation, Numbers)> = Vec::new();
+    let visible: Vec<(Bifurcation, Numbers, (f64, f64))> = figure
         .bifurcations
         .iter()
-        .map(|found| (found.kind, found.loops, (figure.across(found), found.x)))
+        .map(|found| (found.kind, (found.impacts, found.loops), (figure.across(found), found.x)))
         .filter(|(_, _, point)| panel.frame.contains(*point))
         .collect();
-    let disc = |&(kind, _, point): &(Bifurcation, u32, (f64, f64))| {
+    let disc = |&(kind, _, point): &(Bifurcation, Numbers, (f64, f64))| {
         Disc::new(point, POINT_RADIUS, Paint::opaque(pen(kind).colour), Some(POINT_RIM))
     };
     for spot in panel.draw_series(visible.iter().map(disc))?.pieces.concat() {
         labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
     }
-    for &(kind, p, point) in &visible {
-        if !every_loop && named.contains(&(kind, p)) {
+    for &(kind, own, point) in &visible {
+        if !every_loop && named.contains(&(kind, own)) {
             continue;
         }
-        named.push((kind, p));
+        named.push((kind, own));
         let wanted = Site::Around(panel.spot(point), POINT_RADIUS + 0.5);
         labels.add(label(kind, &grazing), LABEL_SIZE, text_colour(kind), &wanted)?;
     }
-    for (p, own) in &pieces {
-        let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
-        let colour = branch_pen(*p, 1.0).colour;
+    for (numbers, own) in &pieces {
+        let free = numbers.0 == 0;
+        let text = if free { "non-impacting".to_owned() } else { name(*numbers) };
+        let colour = pen_of(*numbers, 1.0).colour;
         let all: Vec<&[Spot]> = own.iter().map(Vec::as_slice).collect();
-        let site = if every_loop || *p > 0 { Site::Pieces(&all) } else { Site::Beside(all[0]) };
+        let site = if every_loop || !free { Site::Pieces(&all) } else { Site::Beside(all[0]) };
         labels.add(&text, SMALL_LABEL_SIZE, colour, &site)?;
     }
     if every_loop {
@@ -130,16 +152,16 @@ fn strand_pieces(
     let mut pieces = Vec::new();
     let mut start = 0;
     for run in strand.chunk_by(|a, b| a.stable == b.stable) {
-        let BranchPoint { loops, stable, .. } = run[0];
-        let pen = |loops| match stable {
-            Stability::Stable => branch_pen(loops, STABLE_WIDTH),
-            Stability::Unstable => branch_pen(loops, UNSTABLE_WIDTH),
-            Stability::Neutral => Pen { dashes: NEUTRAL_DASHES, ..branch_pen(loops, NEUTRAL_WIDTH) },
+        let BranchPoint { loops, impacts, stable, .. } = run[0];
+        let pen = |numbers| match stable {
+            Stability::Stable => pen_of(numbers, STABLE_WIDTH),
+            Stability::Unstable => pen_of(numbers, UNSTABLE_WIDTH),
+            Stability::Neutral => Pen { dashes: NEUTRAL_DASHES, ..pen_of(numbers, NEUTRAL_WIDTH) },
         };
-        panel.canvas.explain(stable.name(), legend::line(pen(0)))?;
+        panel.canvas.explain(stable.name(), legend::line(pen((0, 0))))?;
         let end = start + run.len();
         let points: Vec<_> = strand[start..(end + 1).min(strand.len())].iter().map(place).collect();
-        pieces.extend(panel.draw_series(panel.curve(&points, pen(loops)))?.pieces);
+        pieces.extend(panel.draw_series(panel.curve(&points, pen((impacts, loops))))?.pieces);
         start = end;
     }
     Ok(pieces)
@@ -163,6 +185,7 @@ mod tests {
         let point = |(primary, x, stable): (f64, f64, Stability)| BranchPoint {
             diagram: 1,
             loops: 2,
+            impacts: 1,
             secondary: 0.855,
             primary,
             x,

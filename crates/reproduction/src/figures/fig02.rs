@@ -8,6 +8,7 @@ use grazing_continuation::curve::Window;
 use grazing_drawing::{Heading, draw_one_parameter};
 use grazing_model::AnyOscillator;
 use grazing_results::branches::OneParameter;
+use grazing_results::place::briefly;
 use grazing_results::{Frame, Names};
 use grazing_unfold::Scope;
 use grazing_unfold::one_parameter::{Cut, Line};
@@ -36,14 +37,15 @@ impl PaperFigure for Figure2 {
         let window = Window { primary: range, secondary: [at, 2.0 * at] };
         let scope = Scope { window, loops: self.loops.clone(), start: None };
         let line = Line { diagram: 1, primary_is_fixed: false, at, range };
-        let cut = Cut::follow(&oscillator, &scope, &[], line, &*study.progress)
+        let mut cut = Cut::follow(&oscillator, &scope, &[], line, &*study.progress)
             .ok_or_else(|| StudyError::Failed("it was stopped".to_owned()))?;
         let grazing = theory.grazing(at)?.amplitude();
         let (subjects, mut notes) = subjects::all(self, grazing, cut.branches())?;
         let mut found = cut.simulated(&self.attractor, &subjects, &*study.progress);
-        for (loops, amplitude, reason) in &found.broken {
+        for (numbers, amplitude, reason) in &found.broken {
+            let of = briefly(*numbers);
             notes.push(format!(
-                "a branch of p = {loops} could not be followed beyond amplitude {amplitude:.5}: {reason}"
+                "a branch of {of} could not be followed beyond amplitude {amplitude:.5}: {reason}"
             ));
         }
         for subject in &subjects {

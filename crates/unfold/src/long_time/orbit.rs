@@ -44,17 +44,23 @@ pub struct Fate {
 }
 
 impl Fate {
-    /// The number of loops p of a solution with one impact in p forcing periods; 0 without impacts.
-    pub fn loops(&self) -> Option<u32> {
+    /// The numbers of impacts and of loops p of a periodic solution, (0, 0) for one without impacts; `None`
+    /// with rests, and for motion without impacts that recurs after several periods.
+    pub fn numbers(&self) -> Option<(usize, u32)> {
         match self.kind {
             _ if self.rests > 0.0 => None,
-            MotionKind::NonImpacting if self.periods == Some(1) => Some(0),
+            MotionKind::NonImpacting if self.periods == Some(1) => Some((0, 0)),
             // A whole number of impacts, counted over a whole number of periods.
             MotionKind::Periodic => {
-                self.periods.filter(|periods| (self.impacts * f64::from(*periods) - 1.0).abs() < 0.5)
+                self.periods.map(|periods| (libm::round(self.impacts * f64::from(periods)) as usize, periods))
             }
             _ => None,
         }
+    }
+
+    /// The number of loops p of a solution with one impact in p forcing periods; 0 without impacts.
+    pub fn loops(&self) -> Option<u32> {
+        self.numbers().filter(|(impacts, _)| *impacts < 2).map(|(_, loops)| loops)
     }
 }
 

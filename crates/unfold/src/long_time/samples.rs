@@ -71,11 +71,11 @@ impl Trajectory {
     }
 }
 
-/// The flight of an MPS, from its recoil at time `start` to its impact.
-pub fn sampled_solution(equations: &LoopEquations, point: &Unknowns, start: f64) -> Vec<[f64; 3]> {
-    let oscillator = equations.oscillator_at(point);
-    let motion = oscillator.motion(equations.departure(point));
-    sampled(&motion, start, equations.flight(point), oscillator.forcing_period())
+/// The flights of a periodic solution, the first of which begins at time `start`.
+pub fn sampled_solution(equations: &LoopEquations, point: &Unknowns, start: f64) -> Vec<Vec<[f64; 3]>> {
+    let period = equations.oscillator_at(point).forcing_period();
+    let flights = equations.flown(point);
+    flights.iter().map(|flight| sampled_flight(flight, start + flight.start, period)).collect()
 }
 
 /// The first time from zero on at which the forcing has this phase.

@@ -8,13 +8,15 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
 };
-use grazing_model::OnWall;
 use grazing_model::maps::virtual_map;
+use grazing_model::orbit::Flight;
 use grazing_model::phase::centred;
+use grazing_model::{AnyMotion, OnWall};
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use grazing_results::{Stability, span};
 use nalgebra::Vector2;
 
+use super::visits::visits_of;
 use crate::stretches::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
@@ -36,21 +38,45 @@ const CLOSED: f64 = 1e-6;
 /// that is drawn turns by two degrees).
 const LARGEST_TURN: f64 = 0.3;
 
+/// A meeting of a solution with Π.
+#[derive(Clone, Copy)]
+struct Meeting {
+    /// The point (x, z).
+    place: Vector2<f64>,
+    /// Velocity and phase of the impact with which the flight ends; NaN without impacts.
+    impact: [f64; 2],
+}
+
 impl Branch {
-    /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where they are unknown.
+    /// The number of impacts of the solutions.
+    pub fn impacts(&self) -> u32 {
+        self.curve.points.first().map_or(0, |first| first.solution.impacts() as u32)
+    }
+
+    /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where they are unknown. All
+    /// solutions have as many.
     ///
-    /// The times of the maxima are carried from point to point, and visits count only if the last
-    /// is the virtual point of the impact, as for an MPS. That point is always known. For motion
-    /// without impacts the visit is its highest point.
-    fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Vector2<f64>>> {
-        if !self.equations.has_impacts() {
-            let highest = |at: &Vertex<'_>| {
-                let touches = at.event.is_some_and(|event| event.condition == Condition::InteriorGrazing);
-                let x = if touches { 0.0 } else { at.solution.ceiling() };
-                vec![Vector2::new(x, self.equations.impact(at.solution)[1])]
-            };
-            return places.iter().map(highest).collect();
+    /// With one impact the times of the maxima are carried from point to point, and visits count only if
+    /// the last is the virtual point of the impact, as for an MPS. That point is always known. With
+    /// several impacts each flight meets Π in its maxima, counted back from the virtual point of its
+    /// impact. For motion without impacts the visit is its highest point.
+    fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
+        match self.impacts() {
+            0 => {
+                let highest = |at: &Vertex<'_>| {
+                    let touches = at.event.is_some_and(|event| event.condition == Condition::InteriorGrazing);
+                    let x = if touches { 0.0 } else { at.solution.ceiling() };
+                    let place = Vector2::new(x, self.equations.impact(at.solution)[1]);
+                    vec![Meeting { place, impact: [f64::NAN; 2] }]
+                };
+                places.iter().map(highest).collect()
+            }
+            1 => self.loops_of_mps(places),
+            _ => self.maxima_of_flights(places),
         }
+    }
+
+    fn loops_of_mps(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
         let vivid = self.equations.with_formulation(Formulation::Vivid);
         // The maximum next to the impact.
         let landing = |point: &Unknowns| {
@@ -77,43 +103,68 @@ impl Branch {
             let point = &at.solution.unknowns;
             let times = closed(point, carried.clone()).or_else(|| closed(point, EventTimes::default()));
             carried = times.clone().unwrap_or_default();
-            times.and_then(|times| vivid.visits(point, &times).ok()).unwrap_or_else(|| top(point))
+            let visits = times.and_then(|times| vivid.visits(point, &times).ok());
+            let impact = self.equations.impact(at.solution);
+            visits.unwrap_or_else(|| top(point)).into_iter().map(|place| Meeting { place, impact }).collect()
         });
         visits.collect()
+    }
+
+    fn maxima_of_flights(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
+        let of_solution = |at: &Vertex<'_>| {
+            let point = &at.solution.unknowns;
+            let oscillator = self.equations.oscillator_at(point);
+            let flights = self.equations.flown(point).into_iter().enumerate();
+            let of_flight = |(index, flight): (usize, Flight<AnyMotion>)| {
+                let next = point.impact((index + 1) % point.impacts());
+                let impact = [next.velocity, next.phase];
+                let place = |[x, z]: [f64; 2]| Meeting { place: Vector2::new(x, z), impact };
+                visits_of(&oscillator, &flight).into_iter().map(place).collect::<Vec<_>>()
+            };
+            flights.map(of_flight).collect::<Vec<_>>()
+        };
+        let found: Vec<Vec<Vec<Meeting>>> = places.iter().map(of_solution).collect();
+        let longest = |flight: usize| found.iter().map(|flights| flights[flight].len()).max().unwrap_or(0);
+        let counts: Vec<usize> = (0..self.impacts() as usize).map(longest).collect();
+        let filled = |(meetings, count): (Vec<Meeting>, &usize)| {
+            let unknown = Meeting { place: Vector2::repeat(f64::NAN), impact: [f64::NAN; 2] };
+            let missing = count - meetings.len();
+            core::iter::repeat_n(unknown, missing).chain(meetings).collect::<Vec<_>>()
+        };
+        let whole = |flights: Vec<Vec<Meeting>>| flights.into_iter().zip(&counts).flat_map(filled).collect();
+        found.into_iter().map(whole).collect()
     }
 
     /// The strands and bifurcations of the branch that are drawn. Strands have no numbers yet.
     pub(super) fn shown(&self) -> (Vec<Strand>, Vec<BranchBifurcation>) {
         let places = vertices(&self.curve);
         let visits = self.visits(&places);
-        let loops = self.equations.loops();
+        let (loops, impacts) = (self.equations.loops(), self.impacts());
         let stability = self.stability(&places);
         let mut strands = Vec::new();
         let turn = if self.equations.has_impacts() { LARGEST_TURN } else { f64::INFINITY };
-        for visit in 0..loops.max(1) {
+        for visit in 0..visits.first().map_or(0, Vec::len) {
             let mut points = Vec::new();
             let mut phase = f64::NAN;
             for (k, (at, visits)) in places.iter().zip(&visits).enumerate() {
-                let [x, z] = visits[visit as usize].into();
+                let Meeting { place, impact: [velocity, of_impact] } = visits[visit];
+                let [x, z] = place.into();
                 // Where another maximum is taken for the visit, a new strand begins.
                 if libm::remainder(z - phase, TAU).abs() > turn {
                     strands.push(core::mem::take(&mut points));
                 }
                 phase = z;
-                let [velocity, phase] = match self.equations.has_impacts() {
-                    true => self.equations.impact(at.solution),
-                    false => [f64::NAN; 2],
-                };
                 let [primary, secondary] = at.solution.parameters();
                 points.push(BranchPoint {
                     diagram: 0,
                     loops,
+                    impacts,
                     secondary,
                     primary,
                     x,
-                    visit: visit + 1,
+                    visit: visit as u32 + 1,
                     impact_velocity: velocity,
-                    impact_phase: centred(phase),
+                    impact_phase: centred(of_impact),
                     stable: stability[k],
                     admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
                     branch: 0,
@@ -128,10 +179,11 @@ impl Branch {
                 diagram: 0,
                 kind,
                 loops,
+                impacts,
                 secondary,
                 primary,
                 impact_velocity: at.solution.impact_velocity(),
-                x: visits.last().map_or(f64::NAN, |last| last[0]),
+                x: visits.last().map_or(f64::NAN, |last| last.place[0]),
             })
         });
         let bifurcations = bifurcations.collect();
@@ -210,7 +262,7 @@ pub(super) fn within<T: Clone>(
 
 /// Whether two bifurcations are the same, with parameters no farther apart than `distance`.
 pub(super) fn same_bifurcation(a: &BranchBifurcation, b: &BranchBifurcation, distance: f64) -> bool {
-    (a.kind, a.loops) == (b.kind, b.loops)
+    (a.kind, a.loops, a.impacts) == (b.kind, b.loops, b.impacts)
         && (a.primary - b.primary).abs() <= distance
         && (a.impact_velocity - b.impact_velocity).abs() <= CLOSED
 }

@@ -53,7 +53,7 @@ fn portrait(
     kind: PortraitKind,
     loops: u32,
     [primary, secondary]: [f64; 2],
-    flights: impl IntoIterator<Item = Vec<[f64; 3]>>,
+    flights: Vec<Vec<[f64; 3]>>,
 ) -> Portrait {
     let row = |[time, x, y]: [f64; 3]| PortraitPoint {
         diagram: 0,
@@ -101,7 +101,7 @@ impl Scene<'_> {
         let parameters = [primary, self.secondary];
         let oscillator = self.oscillator.with_parameters(parameters);
         let period = oscillator.forcing_period();
-        let solution = |loops, flight| portrait(PortraitKind::Periodic, loops, parameters, [flight]);
+        let solution = |loops, flights| portrait(PortraitKind::Periodic, loops, parameters, flights);
         let mut portraits = Vec::new();
         let (mut known, mut free): (Impacts, Vec<Unknowns>) = (Vec::new(), Vec::new());
         for branch in self.branches {

@@ -1,6 +1,5 @@
 //! Quantities of solutions and simulated motion other than x on Π.
 
-use grazing_continuation::flights::flight_time;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
@@ -50,58 +49,70 @@ fn extent(motion: &impl Motion, until: f64, period: f64) -> [f64; 2] {
     extent
 }
 
+/// The extent that contains all of these.
+fn widest(extents: impl Iterator<Item = [f64; 2]>, least: [f64; 2]) -> [f64; 2] {
+    extents.fold(least, |all, one| [all[0].min(one[0]), all[1].max(one[1])])
+}
+
 impl Branch {
     /// The difference between the highest and the lowest position of a solution, from impact to
     /// impact or over a period.
     fn peak_to_peak(&self, solution: &PeriodicSolution) -> f64 {
-        let oscillator = self.equations.oscillator_at(&solution.unknowns);
-        let departure = self.equations.departure(&solution.unknowns);
-        let period = oscillator.forcing_period();
-        let flight = match self.equations.has_impacts() {
-            true => {
-                let [_, phase] = self.equations.impact(solution);
-                flight_time(&oscillator, self.equations.loops(), phase, departure.phase)
-            }
-            false => period,
-        };
-        let [low, high] = extent(&oscillator.motion(departure), flight, period);
+        let period = self.equations.oscillator_at(&solution.unknowns).forcing_period();
+        let flights = self.equations.flown(&solution.unknowns);
+        let extents = flights.iter().map(|flight| extent(&flight.motion, flight.duration, period));
+        let [low, high] = widest(extents, [f64::INFINITY, f64::NEG_INFINITY]);
         high - low
     }
 
-    fn readings(&self) -> Vec<Reading> {
+    /// The readings of every solution, impact by impact; one without impacts.
+    fn readings(&self) -> Vec<Vec<Reading>> {
         let places = vertices(&self.curve);
         let stability = self.stability(&places);
-        let reading = |(at, stable): (&Vertex<'_>, Stability)| {
+        let readings = |(at, stable): (&Vertex<'_>, Stability)| {
             let [primary, secondary] = at.solution.parameters();
-            let [velocity, phase] = match self.equations.has_impacts() {
-                true => self.equations.impact(at.solution),
-                false => [0.0, f64::NAN],
+            let point = &at.solution.unknowns;
+            let peak_to_peak = self.peak_to_peak(at.solution);
+            let impacts: Vec<[f64; 2]> = match self.impacts() {
+                0 => vec![[0.0, f64::NAN]],
+                count => {
+                    let impacts = (0..count as usize).map(|index| point.impact(index));
+                    impacts.map(|impact| [impact.velocity, impact.phase]).collect()
+                }
             };
-            Reading {
+            let reading = |[velocity, phase]: [f64; 2]| Reading {
                 diagram: 0,
                 loops: self.equations.loops(),
+                impacts: self.impacts(),
                 secondary,
                 primary,
                 impact_velocity: velocity,
                 impact_phase: centred(phase),
-                peak_to_peak: self.peak_to_peak(at.solution),
+                peak_to_peak,
                 impulse: f64::NAN,
                 force: f64::NAN,
                 power: f64::NAN,
                 stable,
                 admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
                 branch: 0,
-            }
+            };
+            impacts.into_iter().map(reading).collect()
         };
-        places.iter().zip(stability).map(reading).collect()
+        places.iter().zip(stability).map(readings).collect()
     }
 }
 
 impl Cut {
-    /// The readings of the solutions on the branches.
+    /// The readings of the solutions on the branches. Those of the impacts of one solution are in strands
+    /// that follow each other and are equally long.
     pub fn readings(&self) -> Vec<Reading> {
-        let found: Vec<Vec<Reading>> = self.branches.par_iter().map(Branch::readings).collect();
-        let strands = found.iter().flat_map(|branch| within(branch, |row| row.primary, self.line.range));
+        let found: Vec<Vec<Vec<Reading>>> = self.branches.par_iter().map(Branch::readings).collect();
+        let pieces =
+            found.iter().flat_map(|branch| within(branch, |impacts| impacts[0].primary, self.line.range));
+        let strands = pieces.flat_map(|piece| {
+            let strand = |impact: usize| piece.iter().map(|impacts| impacts[impact].clone()).collect();
+            (0..piece.first().map_or(0, Vec::len)).map(strand).collect::<Vec<Vec<Reading>>>()
+        });
         let mut rows = Vec::new();
         for (number, mut strand) in (1..).zip(strands) {
             strand.iter_mut().for_each(|row| row.branch = number);
@@ -188,7 +199,7 @@ pub(super) fn readings_of(
         return Vec::new();
     }
     let extents = orbit.flights.iter().map(|flight| extent(&flight.motion, flight.duration, period));
-    let [low, high] = extents.fold([f64::INFINITY, 0.0], |all, one| [all[0].min(one[0]), all[1].max(one[1])]);
+    let [low, high] = widest(extents, [f64::INFINITY, 0.0]);
     // The impacts of one cycle, if there is one.
     let count = orbit.cycle.map_or(usize::MAX, |cycle| cycle.impacts);
     let rows = orbit.impacts.iter().take(count).map(|impact| {

@@ -13,6 +13,7 @@ use super::Sampling;
 use super::readings::{counted, readings_of};
 use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
 use crate::progress::Progress;
+use crate::settled::{Recurring, equations, near, solution};
 
 /// Motion without impacts has settled when its transient is this small a fraction of its initial
 /// size: far less than a dot.
@@ -46,9 +47,7 @@ fn long_time_visits(oscillator: &AnyOscillator, orbit: &LongOrbit, counted: u32)
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);
     }
-    let mut visits = Vec::new();
-    orbit.flights.iter().for_each(|flight| visits_of(oscillator, flight, &mut visits));
-    visits
+    orbit.flights.iter().flat_map(|flight| visits_of(oscillator, flight)).map(|[x, _]| x).collect()
 }
 
 /// The long-term behaviour from random states.
@@ -60,6 +59,8 @@ pub(super) struct Sampled {
     pub(super) readings: Vec<MotionReading>,
     /// The numbers of orbits.
     pub(super) orbits: Orbits,
+    /// Solutions on which orbits have settled, with several impacts but no more than are wanted.
+    pub(super) settled: Vec<Recurring>,
 }
 
 /// The highest point of every forcing period of motion that does not reach the wall.
@@ -74,6 +75,14 @@ fn highest_points(oscillator: &AnyOscillator, from: State, periods: u32) -> Vec<
         oscillator.motion(state).highest_maximum(period)
     });
     core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
+}
+
+/// The solution with several impacts, `most` of them at most, on which an orbit has settled.
+fn settled(oscillator: &AnyOscillator, orbit: &LongOrbit, most: u32) -> Option<Recurring> {
+    let impacts = orbit.cycle?.impacts;
+    let (periods, near) = (2..=most as usize).contains(&impacts).then(|| near(oscillator, orbit))??;
+    let equations = equations(oscillator, periods);
+    solution(&equations, &near, oscillator.parameters()).map(|at| (periods, at))
 }
 
 /// The long-term behaviour of orbits over a range of μ.
@@ -96,6 +105,7 @@ pub(super) fn long_time_behaviour(
             let orbit = LongOrbit::follow(&oscillator, random_start(lowest, &mut random), sampling.horizon());
             let found = long_time_visits(&oscillator, &orbit, sampling.recorded);
             sampled.orbits = sampled.orbits.plus(counted(&orbit));
+            sampled.settled.extend(settled(&oscillator, &orbit, sampling.impacts));
             sampled.visits.extend(found.into_iter().filter(|x| x.is_finite()).map(|x| [primary, x]));
             if sampling.readings {
                 sampled.readings.extend(readings_of(&oscillator, &orbit, (Sweep::Random, number)));
@@ -108,7 +118,8 @@ pub(super) fn long_time_behaviour(
         (0..sampling.values).into_par_iter().map(sample).collect()
     });
     let mut all = Sampled::default();
-    for Sampled { visits, readings, orbits } in samples {
+    for Sampled { visits, readings, orbits, settled } in samples {
+        all.settled.extend(settled);
         all.visits.extend(visits);
         all.readings.extend(readings);
         all.orbits = all.orbits.plus(orbits);
@@ -116,10 +127,10 @@ pub(super) fn long_time_behaviour(
     all
 }
 
-/// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its
+/// The points (x, z) at which a flight meets Π: the iterates of P_global from the virtual point of its
 /// recoil while they lie within the flight, and the virtual maximum beyond the wall at its end.
-fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, visits: &mut Vec<f64>) {
-    visits.extend(flight.rest.map(|_| 0.0));
+pub(super) fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>) -> Vec<[f64; 2]> {
+    let mut visits: Vec<[f64; 2]> = flight.rest.iter().map(|rest| [0.0, rest.phase]).collect();
     let State { position, velocity, phase } = flight.from;
     let mut here = match velocity {
         0.0 => Some((0.0, AtRest::new(position, phase))),
@@ -132,13 +143,14 @@ fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, visits: &mu
         let next = next_visit(oscillator, visit, None).ok();
         let next = next.map(|next| (time + next.time, next.jet.image()));
         here = next.filter(|(time, _)| *time < flight.duration);
-        visits.extend(here.map(|(_, visit)| visit.position));
+        visits.extend(here.map(|(_, visit)| [visit.position, visit.phase]));
     }
     if let FlightEnd::Impact(impact) = flight.end
         && let Ok(top) = virtual_map::<_, 1>(oscillator, OnWall::new(impact.velocity, impact.phase), None)
     {
-        visits.push(top.jet.value[0]);
+        visits.push(top.jet.value.into());
     }
+    visits
 }
 
 #[cfg(test)]
@@ -157,6 +169,7 @@ mod tests {
             lowest,
             seed: 1,
             readings: false,
+            impacts: 1,
         };
         let transient = |products: &[f64]| sampling.as_long_as_it_takes(products.iter().copied()).transient;
         assert_eq!((transient(&[]), transient(&[f64::NAN]), transient(&[0.5])), (150, 150, 150));

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use crate::long_time::{Fate, Horizon, LongOrbit, MotionKind, Patience, same_impact};
 use crate::progress::Progress;
+use crate::settled::{Recurring, near};
 use crate::tolerances::BETWEEN_ORBITS;
 
 /// The orbit from a state; its exponent is judged if the horizon allows.
@@ -22,6 +23,8 @@ pub(super) struct Outcome {
     pub(super) late: State,
     pub(super) fate: Fate,
     pub(super) impacts: Vec<Vector2<f64>>,
+    /// The cycle with impacts on which the orbit has settled.
+    pub(super) near: Option<Recurring>,
     /// The state at phase zero of motion without impacts, and its highest point on a cycle.
     pub(super) at_phase_zero: Option<State>,
     pub(super) highest: f64,
@@ -46,7 +49,8 @@ impl Outcome {
             top.map_or(cycle.from.position, |top| top.position)
         });
         let late = orbit.end.unwrap_or(start);
-        Self { start, late, fate: orbit.fate, impacts: orbit.impacts.clone(), at_phase_zero, highest }
+        let (near, impacts) = (near(oscillator, orbit), orbit.impacts.clone());
+        Self { start, late, fate: orbit.fate, impacts, near, at_phase_zero, highest }
     }
 
     /// Whether the outcome looks like another one.

@@ -79,7 +79,7 @@ impl Slicer {
     }
 
     /// Adds the branch of solutions of twice the period that begins at one with the multiplier −1.
-    fn beginning_beside(&self, slice: &mut Slice, halved: &LoopEquations, at: Unknowns) {
+    pub(crate) fn beginning_beside(&self, slice: &mut Slice, halved: &LoopEquations, at: Unknowns) {
         let maps = halved.maps::<1>(&at, &mut EventTimes::default());
         let Some(direction) = maps.ok().and_then(|maps| maps.direction(-1.0)) else { return };
         let direction = halved.with_others(&at, Unknowns::new(direction[0], direction[1], 0.0, 0.0));

@@ -23,7 +23,17 @@ fn frequency() -> f64 {
 
 fn sampling(values: u32) -> Sampling {
     let (between, lowest) = (None, None);
-    Sampling { values, between, orbits: 3, transient: 300, recorded: 10, lowest, seed: 1, readings: false }
+    Sampling {
+        values,
+        between,
+        orbits: 3,
+        transient: 300,
+        recorded: 10,
+        lowest,
+        seed: 1,
+        readings: false,
+        impacts: 1,
+    }
 }
 
 fn line(at: f64, range: [f64; 2]) -> Line {
@@ -38,7 +48,7 @@ fn on(
     values: u32,
     subjects: &[Subject],
 ) -> OneParameter {
-    let cut = Cut::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
+    let mut cut = Cut::follow(oscillator, scope, &[], line, &Silent).expect("nobody stops it");
     cut.simulated(&sampling(values), subjects, &Silent)
 }
 

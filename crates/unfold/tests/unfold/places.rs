@@ -6,20 +6,26 @@ use grazing_description::Description;
 use grazing_model::orbit::{Flight, FlightEnd, Orbit};
 use grazing_model::rest::release;
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
+use grazing_unfold::Scope;
 use grazing_unfold::long_time::{Fate, Horizon, MotionKind, Patience};
 use grazing_unfold::place::{Attractor, Place, Starts};
 use grazing_unfold::progress::Silent;
 
-use crate::specimens::{EPSILON, ZETA};
+use crate::specimens::{self, EPSILON, ZETA};
 
 fn oscillator([amplitude, frequency]: [f64; 2]) -> AnyOscillator {
     AnyOscillator::new(LinearOscillator::new(ZETA, EPSILON, amplitude, frequency).unwrap())
 }
 
+/// Solutions of one loop, and the window of Figure 7.
+fn scope() -> Scope {
+    specimens::scope([0.0, 1.2], [0.3, 1.6], &[1])
+}
+
 /// The attractors of 40 states: kind, impacts and periods of each.
 fn attractors(at: [f64; 2], horizon: Horizon) -> Vec<(MotionKind, u32, u32)> {
     let starts = Starts { states: 40, horizon, ..Starts::default() };
-    let place = Place::compute(&oscillator(at), &[1], &starts, &Silent).unwrap();
+    let place = Place::compute(&oscillator(at), &scope(), &starts, &Silent).unwrap();
     let named = place.attractors.into_iter().map(|Attractor { fate, exponent, .. }| {
         assert_eq!(exponent.is_positive(), fate.kind == MotionKind::Chaotic);
         // A cycle has an exact exponent, and attracts.
@@ -76,9 +82,10 @@ fn fast_solutions_at_a_place_are_found_as_in_the_plane() {
     assert!(exact.iter().any(|velocity| (2.5..16.0).contains(velocity)), "{exact:?}");
     let horizon = Horizon { transient: 5, counted: 6, patience: Patience::Drifting, longest: 0 };
     let starts = Starts { states: 1, horizon, ..Starts::default() };
-    let place = Place::compute(&oscillator(at), &[1], &starts, &Silent).unwrap();
+    let place = Place::compute(&oscillator(at), &scope(), &starts, &Silent).unwrap();
     for velocity in exact {
-        let found = place.solutions.iter().filter(|found| (found.impact[0] - velocity).abs() < 1e-6);
+        let velocities = place.solutions.iter().filter_map(|found| found.impacts.first());
+        let found = velocities.filter(|impact| (impact[0] - velocity).abs() < 1e-6);
         assert_eq!(found.count(), 1, "{velocity}");
     }
 }
@@ -99,7 +106,7 @@ fn motion_that_rests_at_the_wall_is_one_attractor_with_all_states_and_forgets_wh
     let chatter = "-0.1*v - x - 1 + A*cos(w*t)";
     for at in [[5.0, 0.5], [2.0, 0.5], [1.2, 0.35]] {
         let oscillator = forced(chatter, 0.3, at);
-        let place = Place::compute(&oscillator, &[1], &starts, &Silent).unwrap();
+        let place = Place::compute(&oscillator, &scope(), &starts, &Silent).unwrap();
         let [one] = &place.attractors[..] else { panic!("{at:?}: {:?}", place.attractors) };
         let Fate { kind, periods, impacts, rests, .. } = one.fate;
         assert_eq!(
@@ -138,7 +145,7 @@ fn motion_that_rests_on_the_way_reaches_the_attractor_of_all_other_states() {
     let starts = Starts { lattice: [8, 6], ..Starts::default() };
     for at in [[1.22557, 0.83052], [1.58831, 0.75761]] {
         let oscillator = forced("-0.06*v - x - 0.5*x^3 - 1 + A*cos(w*t)", 0.3, at);
-        let place = Place::compute(&oscillator, &[1], &starts, &Silent).unwrap();
+        let place = Place::compute(&oscillator, &scope(), &starts, &Silent).unwrap();
         let [one] = &place.attractors[..] else { panic!("{at:?}: {:?}", place.attractors) };
         let Fate { kind, periods, impacts, rests, .. } = one.fate;
         assert_eq!((kind, periods, impacts, rests), (MotionKind::Periodic, Some(1), 2.0, 0.0), "{at:?}");
@@ -158,7 +165,7 @@ fn plastic_impacts_rest_at_once_and_are_counted() {
     // Motion leaves the wall at once after the first impact, where the force pulls, and sticks after the
     // second, where it presses.
     let oscillator = forced("-0.1*v - x - 1 + A*cos(w*t)", 0.0, [5.0, 0.5]);
-    let place = Place::compute(&oscillator, &[1], &Starts::default(), &Silent).unwrap();
+    let place = Place::compute(&oscillator, &scope(), &Starts::default(), &Silent).unwrap();
     let [one] = &place.attractors[..] else { panic!("{:?}", place.attractors) };
     let Fate { kind, periods, impacts, rests, .. } = one.fate;
     assert_eq!((kind, periods, impacts, rests), (MotionKind::Periodic, Some(1), 2.0, 1.0));
@@ -183,7 +190,7 @@ fn rest_is_what_the_force_holds_at_the_wall_for_a_whole_period() {
     }
     for (amplitude, kind) in [(0.3, MotionKind::Resting), (1.2, MotionKind::Periodic)] {
         let oscillator = forced("-0.1*v - x + 1 + A*cos(w*t)", 0.5, [amplitude, 0.7]);
-        let place = Place::compute(&oscillator, &[1], &Starts::default(), &Silent).unwrap();
+        let place = Place::compute(&oscillator, &scope(), &Starts::default(), &Silent).unwrap();
         let found: Vec<_> = place.attractors.iter().map(|one| (one.fate.kind, one.states)).collect();
         assert_eq!(found, [(kind, 24)], "{amplitude}");
         // It is drawn along the wall.
@@ -196,7 +203,7 @@ fn rest_is_what_the_force_holds_at_the_wall_for_a_whole_period() {
 fn motion_that_stays_where_it_is_is_one_attractor() {
     let oscillator = forced("-0.5*v - x - 1 + A*cos(w*t)", 0.3, [0.0, 0.8]);
     let starts = Starts { lattice: [4, 3], ..Starts::default() };
-    let place = Place::compute(&oscillator, &[1], &starts, &Silent).unwrap();
+    let place = Place::compute(&oscillator, &scope(), &starts, &Silent).unwrap();
     let found: Vec<_> = place.attractors.iter().map(|one| (one.fate.kind, one.states)).collect();
     assert_eq!(found, [(MotionKind::NonImpacting, 24)]);
     assert!(place.basins.iter().all(|(_, basin)| *basin == Some(0)));

@@ -2,6 +2,7 @@
 
 use grazing_description::Description;
 use grazing_results::branches::{OneParameter, Orbits};
+use grazing_results::place::briefly;
 use grazing_results::{Names, with_unit};
 
 use super::gaps::few;
@@ -23,7 +24,12 @@ pub(crate) fn one_parameter(
     let mut text =
         format!("\n{}", layout.wrapped("", &format!("One-parameter diagram {}: {of}", diagram.diagram)));
     let rows = diagram.bifurcations.iter().map(|found| {
-        let mut row = vec![found.kind.name().to_owned(), found.loops.to_string()];
+        let p = if found.impacts > 1 {
+            format!("{}/{}", found.impacts, found.loops)
+        } else {
+            found.loops.to_string()
+        };
+        let mut row = vec![found.kind.name().to_owned(), p];
         let values = [diagram.across(found), found.impact_velocity, found.x];
         row.extend(values.map(|value| significant(value, PARAMETER)));
         row
@@ -36,10 +42,10 @@ pub(crate) fn one_parameter(
             text.push_str(&layout.aligned(&["kind", "p", &with_unit(across, unit), &velocity, &x], rows))
         }
     }
-    let broken = diagram.broken.iter().map(|(loops, value, reason)| {
+    let broken = diagram.broken.iter().map(|(numbers, value, reason)| {
         let at = significant(*value, PARAMETER);
         let content = format!("could not be followed beyond {across} = {at}: {reason}");
-        (format!("  a branch of p = {loops}  "), content)
+        (format!("  a branch of {}  ", briefly(*numbers)), content)
     });
     for (mark, content) in few(broken.collect(), "ends of branches", "data/diagram_branches.csv") {
         text.push_str(&layout.wrapped(&mark, &content));

@@ -134,7 +134,7 @@ fn impact_velocities_in_a_cut_are_those_of_the_solutions_at_a_place() {
     for ((across, branches, dots), solution) in
         roles.iter().flat_map(|role| solutions().map(move |solution| (role, solution)))
     {
-        let velocity = number(&solution["velocity"]);
+        let velocity = number(&solution["impacts"][0][0]);
         let strands = branches["strands"].as_array().unwrap().iter().filter(|strand| strand["p"] == 1);
         let passes = strands.flat_map(|strand| strand["points"].as_array().unwrap().windows(2)).any(|pair| {
             let [from, to] = [0, 1].map(|k| [number(&pair[k][0]), number(&pair[k][1])]);
@@ -164,18 +164,18 @@ fn along_a_followed_solution_the_impact_velocity_stays_and_places_on_it_have_tha
         all.into_iter().filter(|one| one["p"] == 1).collect::<Vec<_>>()
     };
     let solution = &solutions([0.9, 0.8])[0];
-    let velocity = number(&solution["velocity"]);
-    let asked = json!({"model": model, "view": whole_view(), "at": [0.9, 0.8], "p": 1,
-                       "velocity": velocity, "phase": solution["phase"]});
+    let velocity = number(&solution["impacts"][0][0]);
+    let asked = json!({"model": model, "view": whole_view(), "at": [0.9, 0.8], "p": 1, "impacts": solution["impacts"]});
     let curves = answered(&server, "follow", &asked);
     let points = curves[0]["points"].as_array().unwrap();
     assert!(points.len() > 10 && points.len() == curves[0]["multipliers"].as_array().unwrap().len());
     for point in [&points[points.len() / 3], &points[2 * points.len() / 3]] {
         let at = [number(&point[0]), number(&point[1])];
-        let same = |one: &Value| (number(&one["velocity"]) - velocity).abs() < 1e-6;
+        let same = |one: &Value| (number(&one["impacts"][0][0]) - velocity).abs() < 1e-6;
         assert!(solutions(at).iter().any(same), "{at:?}");
     }
-    let away = json!({"model": model, "view": whole_view(), "at": [9.0, 0.8], "p": 1, "velocity": 1.0, "phase": 0.0});
+    let away =
+        json!({"model": model, "view": whole_view(), "at": [9.0, 0.8], "p": 1, "impacts": [[1.0, 0.0]]});
     assert_eq!(server.post("follow", &away.to_string()).0, 422);
 }
 

@@ -344,7 +344,7 @@ fn what_was_found_at_a_place_is_followed_to_the_next_one() {
     let before = at([0.9, 0.9], &Value::Null);
     let mps = |solution: &&Value| solution["p"] != 0;
     let told = list(&before, "solutions");
-    let told = told.iter().filter(mps).map(|one| json!([one["p"], one["velocity"], one["phase"]]));
+    let told = told.iter().filter(mps).map(|one| json!([one["p"], one["impacts"]]));
     let attractors = list(&before, "attractors");
     let attractors = attractors.iter().map(|one| json!([one["states"], one["state"]]));
     let nearby = json!({"solutions": told.collect::<Vec<_>>(), "attractors": attractors.collect::<Vec<_>>()});
@@ -354,7 +354,11 @@ fn what_was_found_at_a_place_is_followed_to_the_next_one() {
     // All followed motion is found, to the digits to which solutions are located; and here there is
     // nothing new.
     let velocities = |answer: &Value| -> Vec<f64> {
-        list(answer, "solutions").iter().filter(mps).map(|one| one["velocity"].as_f64().unwrap()).collect()
+        list(answer, "solutions")
+            .iter()
+            .filter(mps)
+            .map(|one| one["impacts"][0][0].as_f64().unwrap())
+            .collect()
     };
     let (own, all) = (velocities(&followed), velocities(&looked_for));
     assert_eq!(own.len(), all.len(), "{own:?} {all:?}");

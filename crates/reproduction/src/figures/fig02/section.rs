@@ -221,5 +221,15 @@ fn sampling(written: Attractor, section: &Section<'_>, name: &str) -> Result<Sam
         return Err(section.forbid(&format!("{name}.transient"), allowed));
     }
     let between = Some([Bifurcation::Grazing, Bifurcation::PeriodDoubling]);
-    Ok(Sampling { values, between, orbits, transient, recorded, lowest: None, seed, readings: false })
+    Ok(Sampling {
+        values,
+        between,
+        orbits,
+        transient,
+        recorded,
+        lowest: None,
+        seed,
+        readings: false,
+        impacts: 1,
+    })
 }
