@@ -202,7 +202,7 @@ function legend({ strands, left_out: leftOut = [] }) {
   const numbers = [...new Set(strands.filter((strand) => !several(strand)).map(({ p }) => Math.min(p, ink.loops.length - 1)))].sort();
   const entries = [
     ...numbers.map((p) => [line(loopsInk(p, ink), WIDTHS.stable), loopsNames()[p]]),
-    ...(strands.some(several) ? [[line(ink.periodic, WIDTHS.stable), "several impacts (impacts/periods)"]] : []),
+    ...(strands.some(several) ? [[line(ink.several, WIDTHS.stable), "several impacts (impacts/periods)"]] : []),
     [line(ink.ink, WIDTHS.unstable), "unstable"],
     ...(strands.some(({ points }) => points.some(([, , stability]) => stability === "neutral")) ? [[line(ink.ink, WIDTHS.neutral, "9 2"), "neutral"]] : []),
     [line(ink.ink, WIDTHS.unstable, "3 3", 0.6), "hits the wall in between"],

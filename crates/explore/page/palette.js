@@ -45,7 +45,7 @@ export const wordInk = (kind) => (kind === "graz" ? LOOKS[kind][theme()].quadrat
 /** The ink of motion with a number of loops, 0 without impacts; the last ink stands for that number or more. */
 export const loopsInk = (p, ink = inks()) => ink.loops[Math.min(p, ink.loops.length - 1)];
 /** The ink of a solution with so many impacts in p periods. */
-export const solutionInk = ({ p, impacts }, ink = inks()) => (impacts > 1 ? ink.periodic : loopsInk(p, ink));
+export const solutionInk = ({ p, impacts }, ink = inks()) => (impacts > 1 ? ink.several : loopsInk(p, ink));
 /** The names of numbers of loops with an ink of their own. */
 export const loopsNames = () => inks().loops.map((_, p, { length }) => (p === 0 ? "no impacts" : `p ${p + 1 < length ? "=" : "≥"} ${p}`));
 

@@ -2,7 +2,8 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::kinds::{
-    Colour, CurveLook, IRREGULAR, LOOPS, MARKER, MARKER_RIM, OWN, OWN_WIDTHS, PERIODIC, PLACE, region_inks,
+    Colour, CurveLook, IRREGULAR, LOOPS, MARKER, MARKER_RIM, OWN, OWN_WIDTHS, PERIODIC, PLACE, SEVERAL,
+    region_inks,
 };
 use grazing_results::plane::RegionKind;
 use serde_json::{Map, Value, json};
@@ -38,6 +39,7 @@ fn inks(ground: usize) -> Value {
         "marker": hex(MARKER[ground]),
         "rim": hex(MARKER_RIM[ground]),
         "loops": LOOPS.map(|colours| hex(colours[ground])),
+        "several": hex(SEVERAL[ground]),
         "periodic": hex(PERIODIC[ground]),
         "irregular": hex(IRREGULAR[ground]),
         "place": hex(PLACE[ground]),

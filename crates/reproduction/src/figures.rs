@@ -3,6 +3,7 @@
 
 pub mod beyond_atlas;
 pub mod beyond_attractors;
+pub mod beyond_branches;
 pub mod beyond_cascade;
 pub mod beyond_generations;
 pub mod beyond_loops;
@@ -50,6 +51,7 @@ macro_rules! paper_figures {
             $make::<$crate::figures::beyond_attractors::BeyondAttractors>(),
             $make::<$crate::figures::beyond_proofs::BeyondProofs>(),
             $make::<$crate::figures::beyond_generations::BeyondGenerations>(),
+            $make::<$crate::figures::beyond_branches::BeyondBranches>(),
             $($($last,)+)?
         ]
     };

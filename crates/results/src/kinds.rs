@@ -169,6 +169,8 @@ pub const fn loops_colours(p: u32) -> [Colour; 2] {
     LOOPS[if (p as usize) < last { p as usize } else { last }]
 }
 
+/// The colours of branches of solutions with several impacts, on light and on dark ground.
+pub const SEVERAL: [Colour; 2] = [[108, 138, 58], [216, 208, 104]];
 /// The colours of periodic motion other than an MPS, on light and on dark ground.
 pub const PERIODIC: [Colour; 2] = [[169, 167, 147], [96, 96, 108]];
 /// The colours of motion that is not periodic, or not within the time followed, on light and on dark

@@ -79,7 +79,7 @@ const LOOPS: [&str; 6] =
 /// Control characters, marks that change the direction of writing, and other scripts.
 const CHARACTERS: [&str; 12] =
     ["\0", "\u{1b}[2J", "\u{7f}", "\r", "\u{feff}", "\u{202e}", "\u{2066}", "ω", "−", "´", "\"", "#"];
-const OUTPUTS: [&str; 20] = [
+const OUTPUTS: [&str; 21] = [
     "coefficients",
     "fig01",
     "fig02",
@@ -98,6 +98,7 @@ const OUTPUTS: [&str; 20] = [
     "beyond_attractors",
     "beyond_proofs",
     "beyond_generations",
+    "beyond_branches",
     "straightened",
     "theorems",
 ];

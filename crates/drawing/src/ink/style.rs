@@ -157,9 +157,9 @@ pub const fn branch_pen(p: u32, width: f64) -> Pen {
     Pen::solid(kinds::loops_colours(p)[0], width)
 }
 
-/// The pen of branches of solutions with several impacts, in the colour of periodic motion.
+/// The pen of branches of solutions with several impacts, whatever their numbers.
 pub(crate) const fn several_pen(width: f64) -> Pen {
-    Pen::solid(kinds::PERIODIC[0], width)
+    Pen::solid(kinds::SEVERAL[0], width)
 }
 
 pub(crate) const STABLE_WIDTH: f64 = 1.7;

@@ -18,6 +18,20 @@ use crate::study::forced;
 
 pub use section::{Figure2, Magnification, Portrait, Wish, frequency};
 
+impl Figure2 {
+    /// The branches of the figure.
+    pub(super) fn cut(&self, study: &Study) -> Result<Cut, StudyError> {
+        let (at, range) = (self.frequency, self.across.value);
+        let oscillator = AnyOscillator::new(forced(&study.parameters.oscillator()?, range[0], at)?);
+        // Only the lower end of the frequencies is used.
+        let window = Window { primary: range, secondary: [at, 2.0 * at] };
+        let scope = Scope { window, loops: self.loops.clone(), start: None };
+        let line = Line { diagram: 1, primary_is_fixed: false, at, range };
+        Cut::follow(&oscillator, &scope, &[], line, &*study.progress)
+            .ok_or_else(|| StudyError::Failed("it was stopped".to_owned()))
+    }
+}
+
 impl PaperFigure for Figure2 {
     const LABEL: &'static str = "fig:Z";
     const TITLE: Title<&'static str> =
@@ -30,16 +44,8 @@ impl PaperFigure for Figure2 {
     type Shown = OneParameter;
 
     fn compute(&self, study: &Study) -> Result<OneParameter, StudyError> {
-        let theory = study.parameters.oscillator()?;
-        let (at, range) = (self.frequency, self.across.value);
-        let oscillator = AnyOscillator::new(forced(&theory, range[0], at)?);
-        // Only the lower end of the frequencies is used.
-        let window = Window { primary: range, secondary: [at, 2.0 * at] };
-        let scope = Scope { window, loops: self.loops.clone(), start: None };
-        let line = Line { diagram: 1, primary_is_fixed: false, at, range };
-        let mut cut = Cut::follow(&oscillator, &scope, &[], line, &*study.progress)
-            .ok_or_else(|| StudyError::Failed("it was stopped".to_owned()))?;
-        let grazing = theory.grazing(at)?.amplitude();
+        let mut cut = self.cut(study)?;
+        let grazing = study.parameters.oscillator()?.grazing(self.frequency)?.amplitude();
         let (subjects, mut notes) = subjects::all(self, grazing, cut.branches())?;
         let mut found = cut.simulated(&self.attractor, &subjects, &*study.progress);
         for (numbers, amplitude, reason) in &found.broken {

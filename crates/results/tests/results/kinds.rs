@@ -1,7 +1,7 @@
 //! Colours of different meanings can be distinguished.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::kinds::{Colour, CurveLook, IRREGULAR, LOOPS, OWN, PERIODIC, PLACE};
+use grazing_results::kinds::{Colour, CurveLook, IRREGULAR, LOOPS, OWN, PERIODIC, PLACE, SEVERAL};
 
 /// Linear maps of red, green and blue that simulate missing one kind of cones, at full severity
 /// (Machado, Oliveira and Fernandes 2009); the first is normal vision.
@@ -37,7 +37,13 @@ const APART: f64 = 14.0;
 fn no_two_meanings_look_alike_to_eyes_of_any_kind() {
     let curves = Bifurcation::ALL.map(|kind| (kind.name(), CurveLook::of(kind).colours));
     let loops = ["no impacts", "p = 1", "p = 2", "p = 3", "p = 4 and more"].into_iter().zip(LOOPS);
-    let others = [("other periodic", PERIODIC), ("irregular", IRREGULAR), ("place", PLACE), ("own", OWN)];
+    let others = [
+        ("several impacts", SEVERAL),
+        ("other periodic", PERIODIC),
+        ("irregular", IRREGULAR),
+        ("place", PLACE),
+        ("own", OWN),
+    ];
     let all: Vec<_> = curves.into_iter().chain(loops).chain(others).collect();
     for (ground, eyes) in [0, 1].into_iter().flat_map(|ground| EYES.iter().map(move |eyes| (ground, eyes))) {
         for (k, (one, colours)) in all.iter().enumerate() {

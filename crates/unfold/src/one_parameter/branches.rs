@@ -37,6 +37,9 @@ const CLOSED: f64 = 1e-6;
 /// Largest change of a visit's phase from point to point of a branch (empirical: a step of a curve
 /// that is drawn turns by two degrees).
 const LARGEST_TURN: f64 = 0.3;
+/// The same with several impacts, where a maximum far below the wall moves fast; the phase between one
+/// maximum and the next is larger.
+const LARGEST_TURN_OF_SEVERAL: f64 = 1.0;
 
 /// A meeting of a solution with Π.
 #[derive(Clone, Copy)]
@@ -142,7 +145,11 @@ impl Branch {
         let (loops, impacts) = (self.equations.loops(), self.impacts());
         let stability = self.stability(&places);
         let mut strands = Vec::new();
-        let turn = if self.equations.has_impacts() { LARGEST_TURN } else { f64::INFINITY };
+        let turn = match impacts {
+            0 => f64::INFINITY,
+            1 => LARGEST_TURN,
+            _ => LARGEST_TURN_OF_SEVERAL,
+        };
         for visit in 0..visits.first().map_or(0, Vec::len) {
             let mut points = Vec::new();
             let mut phase = f64::NAN;
