@@ -136,7 +136,7 @@ impl Round {
     }
 
     /// The derivatives L and S of the maps from each impact.
-    fn derivatives(&self) -> impl DoubleEndedIterator<Item = [Matrix2<f64>; 2]> + Clone {
+    pub(crate) fn derivatives(&self) -> impl DoubleEndedIterator<Item = [Matrix2<f64>; 2]> + Clone {
         self.0.iter().map(|pair| [pair.round_trip.derivative(), pair.impact.derivative()])
     }
 

@@ -3,18 +3,19 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::criticality::period_doubling;
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_unfold::generations::{LaterResonance, bases, later};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::{Diagram, Scope};
 
-use crate::specimens::{assert_within, closed_form, scope};
+use crate::specimens::{EPSILON, ZETA, assert_within, closed_form, scope};
 
 /// The resonances with up to four rounds on the curves of solutions of these numbers of loops.
 fn found(oscillator: &AnyOscillator, scope: &Scope) -> (Diagram, Vec<LaterResonance>) {
@@ -106,6 +107,45 @@ fn on_the_grazing_curves_of_figure_7_the_theorems_hold_for_solutions_with_impact
     assert!(measured >= 8 && rounds[1..].iter().all(|count| *count > 0), "{measured} {rounds:?}");
     // For two rounds the curves are too close to each other for these velocities.
     assert!(settled[1] >= 10 && settled[2..].iter().sum::<i32>() >= 4, "{settled:?}");
+}
+
+/// The limit map of a resonance knows P_global alone, here that through the impacts of the motion that grazes; the
+/// normal form comes from third derivatives of all flights of the solutions that leave.
+#[test]
+fn period_doublings_that_leave_resonances_with_impacts_are_as_critical_as_the_limit_map_says() {
+    let (_, later) = found(&closed_form(), &scope([0.0, 1.3], [0.35, 1.02], &[1, 2]));
+    let mut compared = [0; 2];
+    for found in &later {
+        let Ok(point) = &found.resonance.theorem else { continue };
+        if point.leading().into_array().iter().any(|leading| leading.coefficient.abs() > 1e4) {
+            continue;
+        }
+        let expected = point.resonant_point().limit_map().criticality();
+        let linear = LinearOscillator::new(ZETA, EPSILON, 1.0, 1.0).expect("it is in the domain");
+        let equations = LoopEquations::new(linear, found.periods(), Formulation::FixedPhase);
+        let flips = found.curves.iter().filter(|curve| curve.condition == Condition::PERIOD_DOUBLING);
+        for flip in flips {
+            let scaled = |near: &Unknowns| {
+                let slow = near.beginning_with(near.lowest_velocity().0, found.periods());
+                let conditions =
+                    [Condition::PERIOD_DOUBLING, Condition::ImpactVelocity(slow[unknown::VELOCITY])];
+                let exact = locate(&equations, conditions, slow, &mut EventTimes::default()).ok()?;
+                let form = period_doubling(&equations, &exact).ok()?;
+                let velocity = exact[unknown::VELOCITY];
+                let along = velocity / form.direction[0];
+                Some((velocity, along * along * form.coefficient))
+            };
+            let points = flip.points.iter().take(60).map(|point| &point.solution.unknowns);
+            let near: Vec<(f64, f64)> =
+                points.filter_map(scaled).filter(|(y, _)| (3e-4..1e-1).contains(y)).collect();
+            let [(y, value), (farther, other)] = near[..2] else { panic!("the curve is too short") };
+            // The error is of first order in y.
+            let limit = value - y * (other - value) / (farther - y);
+            assert_within(limit, expected, 0.05 * expected.abs());
+            compared[usize::from(expected > 0.0)] += 1;
+        }
+    }
+    assert!(compared[0] >= 1 && compared[1] >= 7, "{compared:?}");
 }
 
 #[test]

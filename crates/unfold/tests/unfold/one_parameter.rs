@@ -390,3 +390,72 @@ fn without_damping_solutions_are_neutral_and_nothing_bifurcates_by_their_product
         assert!(!kinds.contains(&Bifurcation::Torus), "{spring}: {kinds:?}");
     }
 }
+
+/// The x-values of the admissible points with several impacts that a diagram has at a value of μ, each with its
+/// stability, between the points of its strands.
+fn several_at(diagram: &OneParameter, across: f64) -> Vec<(f64, Stability)> {
+    let strands = diagram.branches.chunk_by(|a, b| a.branch == b.branch).filter(|run| run[0].impacts > 1);
+    let at = |pair: &[BranchPoint]| {
+        let [from, to] = [&pair[0], &pair[1]];
+        let part = (across - from.primary) / (to.primary - from.primary);
+        let shown = from.admissible && to.admissible && (0.0..=1.0).contains(&part);
+        shown.then(|| (from.x + part * (to.x - from.x), from.stable))
+    };
+    strands.flat_map(|run| run.windows(2)).filter_map(at).collect()
+}
+
+#[test]
+fn branches_of_solutions_with_several_impacts_pass_the_dots_and_say_where_there_are_none() {
+    let (oscillator, at) = (crate::specimens::closed_form(), frequency());
+    let range = [0.262, 0.342];
+    let scope = Scope {
+        window: Window { primary: range, secondary: [at, 2.0 * at] },
+        loops: vec![1, 2, 3],
+        start: None,
+    };
+    let mut cut = Cut::follow(&oscillator, &scope, &[], line(at, range), &Silent).expect("nobody stops it");
+    let without = cut.branches().len();
+    let found = cut.simulated(&Sampling { impacts: 8, recorded: 24, ..sampling(321) }, &[], &Silent);
+    let several = &cut.branches()[without..];
+    assert!(several.len() > 5 && several.iter().all(|branch| (2..=8).contains(&branch.impacts())));
+    // What simulation settles on with so few impacts lies on a stable branch.
+    let readings = |primary: f64| {
+        let here = oscillator.with_parameters([primary, at]);
+        let starts: Vec<State> =
+            (1..=6).map(|k| State::at_rest(-0.1 * f64::from(k), 1.1 * f64::from(k))).collect();
+        let horizon = grazing_unfold::long_time::Horizon {
+            patience: grazing_unfold::long_time::Patience::Unsettled,
+            ..grazing_unfold::long_time::Horizon::drifting(400, 24)
+        };
+        grazing_unfold::place::seen(&here, &starts, horizon)
+    };
+    let mut seen = 0;
+    for k in 0..40 {
+        // Between the values that were sampled.
+        let primary = 0.2632 + 0.00157 * f64::from(k);
+        let branches: Vec<(usize, u32)> = several
+            .iter()
+            .filter(|branch| !branch.stable_at(primary).is_empty())
+            .map(|branch| (branch.impacts() as usize, branch.equations.loops()))
+            .collect();
+        for one in readings(primary) {
+            if let Some(numbers @ (2..=8, _)) = one.fate.numbers() {
+                assert!(branches.contains(&numbers), "{numbers:?} at {primary}: {branches:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 10, "{seen}");
+    // Dots at such values lie on strands.
+    let periodic = found.attractor.iter().filter(|dot| (0.304..0.309).contains(&dot.primary));
+    let mut near = 0;
+    for dot in periodic {
+        let gaps = several_at(&found, dot.primary).into_iter().map(|(x, _)| (x - dot.x).abs());
+        assert!(gaps.fold(f64::INFINITY, f64::min) < 2e-3, "{} at {}", dot.x, dot.primary);
+        near += 1;
+    }
+    assert!(near > 20, "{near}");
+    // A solution of two impacts leaves the period doubling of the MPS with p = 2 and stays beside it at first.
+    let doubled = several.iter().find(|branch| (branch.impacts(), branch.equations.loops()) == (2, 4));
+    assert!(doubled.is_some_and(|branch| !branch.stable_at(0.3235).is_empty()));
+}

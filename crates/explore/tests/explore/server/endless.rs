@@ -60,11 +60,11 @@ fn what_makes_no_oscillator_is_refused() {
             assert!(status == 422 && answer.contains("must be positive"), "{frequency}: {status} {answer}");
         }
         for far in [1e7, 1e308, -1e308] {
-            let slow = json!({"solutions": [[1, 0.1, 0.0]], "attractors": [[1, [-1.0, 0.0, 0.0]]]});
+            let slow = json!({"solutions": [[1, [[0.1, 0.0]]]], "attractors": [[1, [-1.0, 0.0, 0.0]]]});
             for (list, key) in [("solutions", 1), ("attractors", 1)] {
                 let mut nearby = slow.clone();
                 match list {
-                    "solutions" => nearby[list][0][key] = json!(far),
+                    "solutions" => nearby[list][0][key][0][0] = json!(far),
                     _ => nearby[list][0][key][1] = json!(far),
                 }
                 let body = json!({"model": model, "at": [0.3, 0.8], "nearby": nearby}).to_string();

@@ -304,7 +304,7 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         .collect();
     for solution in found {
         assert_eq!(solution["reached"], true);
-        let [velocity, phase] = ["velocity", "phase"].map(|key| solution[key].as_f64().unwrap());
+        let [velocity, phase] = [0, 1].map(|index| solution["impacts"][0][index].as_f64().unwrap());
         let close = |strike: &[f64; 2]| {
             let turns = (strike[0] - phase) / TAU;
             (strike[1] - velocity).abs() < 1e-3 && (turns - turns.round()).abs() < 1e-3
