@@ -4,8 +4,8 @@ use grazing_drawing::{Heading, draw_one_parameter};
 use grazing_results::branches::OneParameter;
 use grazing_results::place::briefly;
 use grazing_results::{Names, span};
-use grazing_source::kind::count;
-use grazing_unfold::one_parameter::Sampling;
+use grazing_source::kind::{count, value};
+use grazing_unfold::one_parameter::{Sampling, Subject};
 
 use super::fig02::Figure2;
 use crate::figure::prelude::*;
@@ -13,6 +13,8 @@ use crate::figure::prelude::*;
 /// The greatest number of impacts: the equations have twice as many unknowns, and two more.
 const MOST_IMPACTS: u32 = 24;
 
+/// The greatest number of phase portraits.
+const MOST_PORTRAITS: usize = 6;
 /// Room beside the amplitudes at which orbits are shown, as a fraction of their range.
 const MARGIN: f64 = 0.04;
 
@@ -21,6 +23,9 @@ keys! {
     pub struct BeyondBranches {
         /// The most impacts of a solution whose branch is followed.
         impacts: u32 = count(2..=MOST_IMPACTS), "the most impacts must be a whole number from {} to {}";
+        /// Amplitudes at which phase portraits are drawn, where Figure 2 has them.
+        portraits: Vec<f64> = value().such(|all: &Vec<f64>| all.len() <= MOST_PORTRAITS && all.iter().all(|at| at.is_finite())),
+            "the amplitudes of the phase portraits must be a list of at most 6 numbers; [] for none";
     }
 }
 
@@ -47,7 +52,10 @@ impl PaperFigure for BeyondBranches {
     fn compute(&self, study: &Study) -> Result<OneParameter, StudyError> {
         let figure = study.parameters.section::<Figure2>()?;
         let sampling = Sampling { impacts: self.impacts, ..figure.attractor.clone() };
-        let mut found = figure.cut(study)?.simulated(&sampling, &[], &*study.progress);
+        let [low, high] = figure.across.value;
+        let inside = self.portraits.iter().filter(|across| (low..=high).contains(*across));
+        let subjects: Vec<Subject> = inside.map(|&across| Subject { across, loops: None }).collect();
+        let mut found = figure.cut(study)?.simulated(&sampling, &subjects, &*study.progress);
         let [low, high] = span(found.attractor.iter().map(|point| point.primary));
         if low < high {
             let margin = MARGIN * (high - low);
@@ -60,9 +68,9 @@ impl PaperFigure for BeyondBranches {
         let heading = Heading {
             name: "beyond_branches",
             title: "The branches behind the dots of Figure 2",
-            description: "Forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable. \
+            description: "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable. \
                           Branches of solutions with several impacts are named by their numbers of impacts and of forcing \
-                          periods; dots are long-term forward orbits.",
+                          periods; dots are long-term forward orbits. Above: phase portraits with the wall.",
             names: &Names::of_the_paper(),
             tables: &[
                 "beyond_branches_bifurcations",

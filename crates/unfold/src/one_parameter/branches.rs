@@ -62,7 +62,7 @@ impl Branch {
     /// With one impact the times of the maxima are carried from point to point, and visits count only if
     /// the last is the virtual point of the impact, as for an MPS. That point is always known. With
     /// several impacts each flight meets Π in its maxima, counted back from the virtual point of its
-    /// impact, their return times being carried as well. For motion without impacts the visit is its highest point.
+    /// impact, as that of simulated motion does. For motion without impacts the visit is its highest point.
     fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
         match self.impacts() {
             0 => {
@@ -114,20 +114,19 @@ impl Branch {
     }
 
     fn maxima_of_flights(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
-        let mut returns = vec![Vec::new(); self.impacts() as usize];
-        let mut of_solution = |at: &Vertex<'_>| {
+        let of_solution = |at: &Vertex<'_>| {
             let point = &at.solution.unknowns;
             let oscillator = self.equations.oscillator_at(point);
-            let flights = self.equations.flown(point).into_iter().enumerate().zip(&mut returns);
-            let of_flight = |((index, flight), returns): ((usize, Flight<AnyMotion>), &mut Vec<f64>)| {
+            let flights = self.equations.flown(point).into_iter().enumerate();
+            let of_flight = |(index, flight): (usize, Flight<AnyMotion>)| {
                 let next = point.impact((index + 1) % point.impacts());
                 let impact = [next.velocity, next.phase];
                 let place = |[x, z]: [f64; 2]| Meeting { place: Vector2::new(x, z), impact };
-                visits_of(&oscillator, &flight, returns).into_iter().map(place).collect::<Vec<_>>()
+                visits_of(&oscillator, &flight).into_iter().map(place).collect::<Vec<_>>()
             };
             flights.map(of_flight).collect::<Vec<_>>()
         };
-        let found: Vec<Vec<Vec<Meeting>>> = places.iter().map(&mut of_solution).collect();
+        let found: Vec<Vec<Vec<Meeting>>> = places.iter().map(of_solution).collect();
         let longest = |flight: usize| found.iter().map(|flights| flights[flight].len()).max().unwrap_or(0);
         let counts: Vec<usize> = (0..self.impacts() as usize).map(longest).collect();
         let filled = |(meetings, count): (Vec<Meeting>, &usize)| {

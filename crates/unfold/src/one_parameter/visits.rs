@@ -47,7 +47,7 @@ fn long_time_visits(oscillator: &AnyOscillator, orbit: &LongOrbit, counted: u32)
     if let Some(state) = orbit.free_state(oscillator) {
         return highest_points(oscillator, state, counted);
     }
-    let visits = orbit.flights.iter().flat_map(|flight| visits_of(oscillator, flight, &mut Vec::new()));
+    let visits = orbit.flights.iter().flat_map(|flight| visits_of(oscillator, flight));
     visits.map(|[x, _]| x).collect()
 }
 
@@ -129,14 +129,8 @@ pub(super) fn long_time_behaviour(
 }
 
 /// The points (x, z) at which a flight meets Π: the iterates of P_global from the virtual point of its
-/// recoil while they lie within the flight, and the virtual maximum beyond the wall at its end. The return
-/// times of a neighbouring flight, if known, are replaced by those of this one.
-pub(super) fn visits_of(
-    oscillator: &AnyOscillator,
-    flight: &Flight<AnyMotion>,
-    returns: &mut Vec<f64>,
-) -> Vec<[f64; 2]> {
-    let guesses = core::mem::take(returns);
+/// recoil while they lie within the flight, and the virtual maximum beyond the wall at its end.
+pub(super) fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>) -> Vec<[f64; 2]> {
     let mut visits: Vec<[f64; 2]> = flight.rest.iter().map(|rest| [0.0, rest.phase]).collect();
     let State { position, velocity, phase } = flight.from;
     let mut here = match velocity {
@@ -147,11 +141,9 @@ pub(super) fn visits_of(
         }
     };
     while let Some((time, visit)) = here {
-        let guess = guesses.get(returns.len()).copied();
-        let next = next_visit(oscillator, visit, guess).ok();
-        let next = next.filter(|next| time + next.time < flight.duration);
-        returns.extend(next.iter().map(|next| next.time));
-        here = next.map(|next| (time + next.time, next.jet.image()));
+        let next = next_visit(oscillator, visit, None).ok();
+        let next = next.map(|next| (time + next.time, next.jet.image()));
+        here = next.filter(|(time, _)| *time < flight.duration);
         visits.extend(here.map(|(_, visit)| [visit.position, visit.phase]));
     }
     if let FlightEnd::Impact(impact) = flight.end
