@@ -86,7 +86,6 @@ fn outlines_have_no_text_and_no_fonts() {
 /// The log of LaTeX for a document of class article, with one column or two, that includes
 /// everything in a folder; none without pdflatex.
 fn compiled(journal: &Path, options: &str) -> Option<String> {
-    let place = empty_folder();
     let numbers = fs::read_to_string(journal.join("numbers.tex")).expect("there are numbers");
     let named = numbers.lines().filter_map(|line| line.split_once("grazing@")?.1.split_once(r"\endcsname{"));
     let used: String = named.map(|(name, _)| format!("\\grazing{{{name}}}\n")).collect();
@@ -96,6 +95,12 @@ fn compiled(journal: &Path, options: &str) -> Option<String> {
          \\input{{\\grazingfiles numbers}}\n\\begin{{document}}\n{used}\n\\input{{\\grazingfiles figures}}\n\\end{{document}}\n",
         journal.display()
     );
+    log_of(&document)
+}
+
+/// The log of LaTeX for a document; none without pdflatex.
+fn log_of(document: &str) -> Option<String> {
+    let place = empty_folder();
     fs::write(place.path().join("document.tex"), document).expect("the folder is ours");
     let run = || {
         let run = Command::new("pdflatex")
@@ -116,7 +121,7 @@ fn compiled(journal: &Path, options: &str) -> Option<String> {
     // The second run knows the labels.
     if !(run() && run()) {
         // Written directly to the stream, which the test harness does not capture.
-        writeln!(io::stderr(), "SKIPPED: there is no pdflatex, figures.tex was not compiled")
+        writeln!(io::stderr(), "SKIPPED: there is no pdflatex, no document was compiled")
             .expect("a message can be written");
         return None;
     }
@@ -124,17 +129,36 @@ fn compiled(journal: &Path, options: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&log).into_owned())
 }
 
-/// Fails if a document has a box that is too large, a label that is missing or doubled, or anything
-/// else that LaTeX warns of.
+/// Fails if LaTeX complains of a document.
 fn assert_sets_well(journal: &Path) {
     for options in ["onecolumn", "twocolumn"] {
         let Some(log) = compiled(journal, options) else { return };
-        let told = |line: &&str| {
-            ["Overfull", "Warning", "multiply", "undefined"].iter().any(|word| line.contains(word))
-        };
-        let told: Vec<&str> = log.lines().filter(told).collect();
+        let told = complaints(&log);
         assert!(told.is_empty(), "{options}: {told:#?}");
     }
+}
+
+/// The lines of a log that tell of a box that is too large, a label that is missing or doubled, or anything else
+/// that LaTeX warns of.
+fn complaints(log: &str) -> Vec<&str> {
+    let told =
+        |line: &&str| ["Overfull", "Warning", "multiply", "undefined"].iter().any(|word| line.contains(word));
+    log.lines().filter(told).collect()
+}
+
+#[test]
+fn the_note_is_set_from_the_numbers_and_figures_of_a_run_on_eight_pages_at_most() {
+    let edition = edition(SheetWidth::Paper);
+    let note = repository().join("docs/paper/note.tex");
+    let document = format!(
+        "\\newcommand{{\\grazingfiles}}{{{}/}}\n\\AtEndDocument{{\\typeout{{pages: \\thepage}}}}\n\\input{{{}}}\n",
+        edition.path().display(),
+        note.display()
+    );
+    let Some(log) = log_of(&document) else { return };
+    assert!(complaints(&log).is_empty(), "{:#?}", complaints(&log));
+    let pages = log.lines().find_map(|line| line.strip_prefix("pages: ")?.parse::<u32>().ok());
+    assert!(pages.is_some_and(|pages| (2..=8).contains(&pages)), "{pages:?}");
 }
 
 #[test]
