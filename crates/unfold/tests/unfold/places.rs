@@ -208,3 +208,35 @@ fn motion_that_stays_where_it_is_is_one_attractor() {
     assert_eq!(found, [(MotionKind::NonImpacting, 24)]);
     assert!(place.basins.iter().all(|(_, basin)| *basin == Some(0)));
 }
+
+#[test]
+fn solutions_with_several_impacts_are_those_of_simulation_with_what_else_their_branches_have() {
+    // Two impacts in three periods between two saddle-nodes, of Figure 2's oscillator.
+    let here = oscillator([0.305, 0.854]);
+    let place = Place::compute(&here, &scope(), &Starts::default(), &Silent).unwrap();
+    let reached = place.attractors.iter().find(|one| one.fate.numbers() == Some((2, 3)));
+    assert!(reached.is_some(), "{:?}", place.attractors.iter().map(|one| one.fate).collect::<Vec<_>>());
+    let own = || place.solutions.iter().filter(|one| (one.impacts.len(), one.loops) == (2, 3));
+    let [stable, unstable] = [true, false]
+        .map(|stable| own().filter(|one| one.admissible && one.multipliers.stable() == stable).count());
+    assert_eq!((stable, unstable), (1, 1), "the branch folds");
+    for one in own().filter(|one| one.admissible) {
+        assert_eq!(one.orbit.len(), 2);
+        let [velocity, phase] = one.impacts[0];
+        assert!(one.impacts.iter().all(|impact| impact[0] >= velocity));
+        // The hybrid system comes back to the first impact, without Newton's method.
+        let from = State { position: 0.0, velocity, phase };
+        let mut orbit = Orbit::new(&here, from, 3.5 * here.forcing_period(), 10);
+        let ends: Vec<State> = orbit
+            .by_ref()
+            .filter_map(|flight| match flight.end {
+                FlightEnd::Impact(state) => Some(state),
+                FlightEnd::TimeIsUp(_) => None,
+            })
+            .collect();
+        assert!((ends[1].velocity - velocity).abs() < 1e-7, "{ends:?} {one:?}");
+        assert!(libm::remainder(ends[1].phase - phase, TAU).abs() < 1e-7, "{ends:?} {one:?}");
+        let second = one.impacts[1];
+        assert!((ends[0].velocity - second[0]).abs() < 1e-7, "{ends:?} {one:?}");
+    }
+}
