@@ -8,6 +8,7 @@
 //! their own roles.
 
 mod branches;
+mod flights;
 mod oriented;
 mod portraits;
 mod readings;

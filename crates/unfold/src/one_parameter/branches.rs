@@ -16,7 +16,7 @@ use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use grazing_results::{Stability, span};
 use nalgebra::Vector2;
 
-use super::visits::visits_of;
+use super::flights::visits_of;
 use crate::stretches::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
