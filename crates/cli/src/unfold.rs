@@ -162,10 +162,10 @@ impl Task {
         let (unfolded, met) = analyse(&self.of, of_analysis, &|table| keeper.keep(table))?;
         let progress = Display::counting(watch.stop());
         let progress: &dyn Progress = &progress;
-        let compared = self
-            .measured
-            .as_ref()
-            .map(|measured| compare(measured, &unfolded.axes, &unfolded.diagram, progress, &watch.stop()));
+        let compared = self.measured.as_ref().map(|measured| {
+            let known = (&unfolded.diagram, &*unfolded.sequences.solutions);
+            compare(measured, &unfolded.axes, known, progress, &watch.stop())
+        });
         let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
         let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
         let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);

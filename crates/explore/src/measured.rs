@@ -68,7 +68,7 @@ impl Measured {
             window.contains([primary / axes.units.primary, secondary / axes.units.secondary])
         };
         let (inside, outside): (Vec<_>, Vec<_>) = all.into_iter().partition(seen);
-        Ok((compare(&inside, axes, diagram, progress, stop), outside.len()))
+        Ok((compare(&inside, axes, (diagram, &[]), progress, stop), outside.len()))
     }
 }
 

@@ -8,11 +8,12 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
-use grazing_results::place::struck;
+use grazing_results::place::{briefly, struck};
 use grazing_unfold::long_time::{Fate, MotionKind};
 use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::regions::Region;
+use grazing_unfold::sequences::Sequence;
 use grazing_unfold::{Diagram, Scope};
 
 use crate::associate::{Metric, nearest};
@@ -49,16 +50,16 @@ type Verdict = (Agreement, String);
 /// The name of the stage.
 const STAGE: &str = "comparison with measurements";
 
-/// Compares all measurements with a diagram; `stop` ends simulation, and the remaining measurements are
-/// undecided.
+/// Compares all measurements with a diagram and with regions of solutions with several impacts, if any are
+/// known; `stop` ends simulation, and the remaining measurements are undecided.
 pub fn compare(
     observations: &[Observation],
     axes: &Axes,
-    diagram: &Diagram,
+    (diagram, several): (&Diagram, &[Sequence]),
     progress: &dyn Progress,
     stop: &Stop,
 ) -> Comparison {
-    let beside = Beside { axes, diagram, stop };
+    let beside = Beside { axes, diagram, several, stop };
     let point = |one: &Observation| {
         let point = beside.point(one);
         progress.step(STAGE);
@@ -131,6 +132,7 @@ pub fn apart(points: &[Observation], axes: &Axes, diagram: &Diagram, within: f64
 struct Beside<'a> {
     axes: &'a Axes,
     diagram: &'a Diagram,
+    several: &'a [Sequence],
     stop: &'a Stop,
 }
 
@@ -138,6 +140,12 @@ impl Beside<'_> {
     /// The regions that contain a place, with their numbers.
     fn regions(&self, at: [f64; 2]) -> impl Iterator<Item = (u32, &Region)> {
         (1..).zip(&self.diagram.regions).filter(move |(_, region)| region.contains(at))
+    }
+
+    /// The solutions with several impacts that are stable at a place, as far as their regions are known.
+    fn several(&self, at: [f64; 2]) -> impl Iterator<Item = &Sequence> {
+        let holds = move |region: &Region| region.doubt.is_none() && region.contains(at);
+        self.several.iter().filter(move |found| found.regions.iter().any(holds))
     }
 
     /// The groups in which a measurement is counted: region, kind and number of loops.
@@ -163,10 +171,17 @@ impl Beside<'_> {
             Seen::Periodic { periods, impacts: 1 } if self.diagram.scope.loops.contains(&periods) => {
                 self.motion(one, at, periods)
             }
+            // Where no region of several impacts holds, there may be one that is not known.
+            Seen::Periodic { periods, impacts }
+                if self.several(at).any(|it| (it.impacts as u32, it.periods) == (impacts, periods)) =>
+            {
+                (Agreement::Agrees, String::new())
+            }
             _ => self.simulated(one.seen, at),
         };
-        let stable: Vec<String> =
-            self.regions(at).filter(|(_, region)| region.doubt.is_none()).map(stable).collect();
+        let decided = self.regions(at).filter(|(_, region)| region.doubt.is_none()).map(stable);
+        let several = self.several(at).map(|found| briefly([found.impacts as u32, found.periods]));
+        let stable: Vec<String> = decided.chain(several).collect();
         let theory = match stable.as_slice() {
             _ if !inside => String::new(),
             [] => "no solution of these p".to_owned(),

@@ -1,4 +1,5 @@
 //! Tests of measurements: how files of them are read, and what is identified from synthetic ones.
 
 mod read;
+mod several;
 mod synthetic;
