@@ -30,9 +30,11 @@ pub const SAMPLING: Sampling = Sampling {
 
 /// Fills in the quantities that depend on the mass, in the oscillator's own units.
 fn weigh(found: &mut OneParameter, description: &Description) {
-    let impact = |velocity: f64, phase: f64, parameters| {
+    let walls: Vec<Description> = description.from_each_wall().collect();
+    let impact = |wall: u32, velocity: f64, phase: f64, parameters| {
+        let seen = &walls[(wall.max(1) as usize - 1).min(walls.len() - 1)];
         // Without an impact there is no phase, and its value does not matter.
-        description.impulse_and_loss([velocity, if phase.is_nan() { 0.0 } else { phase }], parameters)
+        seen.impulse_and_loss([velocity, if phase.is_nan() { 0.0 } else { phase }], parameters)
     };
     let period = |[mu, eta]: [f64; 2]| TAU / description.forcing_frequency(mu, eta);
     let mut strands: Vec<&mut [Reading]> = found.readings.chunk_by_mut(|a, b| a.branch == b.branch).collect();
@@ -44,7 +46,7 @@ fn weigh(found: &mut OneParameter, description: &Description) {
             let mut sum = [0.0; 2];
             for row in own.iter_mut().map(|strand| &mut strand[point]) {
                 let [impulse, loss] =
-                    impact(row.impact_velocity, row.impact_phase, [row.primary, row.secondary]);
+                    impact(row.wall, row.impact_velocity, row.impact_phase, [row.primary, row.secondary]);
                 row.impulse = impulse;
                 sum = [sum[0] + impulse, sum[1] + loss];
             }
@@ -66,7 +68,7 @@ fn weigh(found: &mut OneParameter, description: &Description) {
         let rate = cycles / period(parameters);
         let mut sum = [0.0; 2];
         for row in orbit.iter_mut() {
-            let [impulse, loss] = impact(row.impact_velocity, row.impact_phase, parameters);
+            let [impulse, loss] = impact(row.wall, row.impact_velocity, row.impact_phase, parameters);
             row.impulse = impulse;
             sum = [sum[0] + impulse, sum[1] + loss];
         }

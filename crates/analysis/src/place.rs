@@ -23,6 +23,11 @@ pub const LATTICE: [u32; 2] = [48, 32];
 /// The greatest number of impacts per forcing period of motion from a given state.
 const MOST_IMPACTS: f64 = 1000.0;
 
+/// The number of a stop in tables, which one has in those of two.
+fn wall(stop: usize) -> u32 {
+    stop as u32 + 1
+}
+
 /// Motion of an oscillator at a place, from a position, velocity and time, over a number of forcing
 /// periods.
 ///
@@ -59,8 +64,9 @@ pub fn simulated(
         };
         points.iter().map(point).collect::<Vec<_>>()
     };
-    let impact = |[t, phase, speed]: &[f64; 3]| SimulatedImpact {
+    let impact = |([t, phase, speed], stop): (&[f64; 3], &usize)| SimulatedImpact {
         time: time(*t),
+        wall: wall(*stop),
         impact_phase: centred(*phase),
         impact_velocity: speed * velocity,
     };
@@ -77,7 +83,7 @@ pub fn simulated(
     };
     Ok(Simulated {
         motion: (1..).zip(&found.flights).flat_map(point).collect(),
-        impacts: found.impacts.iter().map(impact).collect(),
+        impacts: found.impacts.iter().zip(&found.stops).map(impact).collect(),
         end,
     })
 }
@@ -115,6 +121,7 @@ pub fn at_place(
             place,
             loops: solution.loops,
             impacts: solution.impacts.len() as u32,
+            wall: if solution.loops > 0 { wall(solution.stops[0]) } else { 0 },
             impact_velocity: slowest * velocity,
             impact_phase: centred(phase),
             trace,
@@ -151,13 +158,14 @@ pub fn at_place(
             };
             all.motion.extend(points.iter().map(point));
         }
-        let impact = |[phase, speed]: &[f64; 2]| PlaceImpact {
+        let impact = |([phase, speed], stop): (&[f64; 2], &usize)| PlaceImpact {
             place,
             attractor,
+            wall: wall(*stop),
             impact_phase: centred(*phase),
             impact_velocity: speed * velocity,
         };
-        all.impacts.extend(one.strikes.iter().map(impact));
+        all.impacts.extend(one.strikes.iter().zip(&one.stops).map(impact));
     }
     let basin = |(state, index): &(State, Option<usize>)| BasinState {
         place,

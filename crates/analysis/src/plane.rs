@@ -55,7 +55,7 @@ pub fn plane_diagram(
     PlaneDiagram {
         curves: curves(axes, diagram),
         points: points(axes, diagram),
-        regions: regions(axes, &diagram.regions),
+        regions: regions_of(axes, diagram),
         frame: diagram.scope.window.in_units(&axes.units).into(),
         magnified,
         sections,
@@ -81,6 +81,7 @@ pub fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec<PlaneP
 
 /// The pieces of the grazing curve, not yet numbered.
 pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
+    let wall = diagram.wall;
     let rows = |curve: &GrazingCurve| {
         let points = curve.states.iter().map(|state| {
             let [primary, secondary] = axes.units.parameters(state.orbit.oscillator().parameters());
@@ -88,6 +89,7 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
             PlanePoint {
                 kind: Bifurcation::NonImpactingGrazing,
                 loops: 0,
+                wall,
                 n: 0,
                 secondary,
                 primary,
@@ -118,6 +120,7 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
         PlanePoint {
             kind: curve.kind,
             loops: curve.loops,
+            wall: if curve.loops > 0 { diagram.wall } else { 0 },
             n: curve.n,
             secondary,
             primary,
@@ -186,7 +189,8 @@ pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
 pub fn points(axes: &Axes, diagram: &Diagram) -> Vec<SpecialPoint> {
     let point = |kind, loops, n, parameters| {
         let [primary, secondary] = axes.units.parameters(parameters);
-        SpecialPoint { kind, loops, n, secondary, primary }
+        let wall = if loops > 0 { diagram.wall } else { 0 };
+        SpecialPoint { kind, loops, wall, n, secondary, primary }
     };
     let resonances = diagram.unfolding().map(|(resonance, at)| {
         let [_, _, primary, secondary] = at.unknowns().into();
@@ -197,6 +201,28 @@ pub fn points(axes: &Axes, diagram: &Diagram) -> Vec<SpecialPoint> {
         .iter()
         .map(|other| point(other.kind, other.loops, other.n, other.event.solution.parameters()));
     resonances.chain(others).collect()
+}
+
+/// The regions of a diagram, with the wall that solutions hit.
+fn regions_of(axes: &Axes, diagram: &Diagram) -> Vec<RegionVertex> {
+    let mut rows = regions(axes, &diagram.regions);
+    rows.iter_mut().filter(|row| row.loops > 0).for_each(|row| row.wall = diagram.wall);
+    rows
+}
+
+/// Adds what is seen from the other of two walls: its grazing curves, and solutions that hit it. Motion
+/// without impacts is the same.
+pub fn add_other_wall(all: &mut PlaneDiagram, other: PlaneDiagram) {
+    // Grazing of either wall is a curve of one view, and bounds motion without impacts in the other.
+    let counts = |row: &PlanePoint| row.kind != Bifurcation::NonImpactingGrazing || row.wall > 0;
+    all.curves.retain(counts);
+    let arcs = all.curves.last().map_or(0, |row| row.arc + 1);
+    let own = other.curves.into_iter().filter(|row| row.wall > 0);
+    all.curves.extend(own.map(|row| PlanePoint { arc: arcs + row.arc, ..row }));
+    all.points.extend(other.points.into_iter().filter(|row| row.loops > 0));
+    let regions = all.regions.last().map_or(0, |row| row.region);
+    let own = other.regions.into_iter().filter(|row| row.loops > 0);
+    all.regions.extend(own.map(|row| RegionVertex { region: regions + row.region, ..row }));
 }
 
 /// Regions of stability, vertex by vertex.
@@ -212,6 +238,7 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
                     region: number,
                     kind,
                     loops,
+                    wall: 0,
                     n,
                     secondary,
                     primary,

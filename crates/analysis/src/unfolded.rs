@@ -56,6 +56,8 @@ pub struct Unfolded {
     /// The one-parameter diagrams that were requested, as far as they were finished, in the oscillator's
     /// own units.
     pub diagrams: Vec<OneParameter>,
+    /// What is seen from the other of two walls.
+    pub other: Option<Box<Unfolded>>,
     /// Solutions with several impacts, if the file asks for more than one generation; dimensionless.
     pub sequences: Sequences,
     /// Quantities along the grazing curves that depend on p, one p after the other, in the oscillator's
@@ -174,7 +176,8 @@ pub fn axes(description: &Description) -> Axes {
     let [length, time, mass] = description.unit_names().map(owned);
     let [of_primary, of_secondary] = parameters.map(|axis| owned(axis.unit()));
     let units = UnitNames { length, time, mass, primary: of_primary, secondary: of_secondary };
-    Axes { names: Names::new(&primary, &secondary).with_units(units), units: description.units() }
+    let names = Names::new(&primary, &secondary).with_units(units).between_walls(description.has_two_walls());
+    Axes { names, units: description.units() }
 }
 
 impl Unfolded {
@@ -205,7 +208,21 @@ impl Unfolded {
     ) -> Result<Self, UnfoldError> {
         let Prepared { oscillator, scope, asked, axes } = of;
         let units = axes.units;
-        let unfolded = Self::compute(&oscillator, (&scope, asked), axes, progress, keep);
+        let other = oscillator.other_stop().and_then(|other| {
+            // The start of the search is seen from the first wall.
+            let scope = Scope { start: None, ..scope.clone() };
+            let mut other =
+                Self::compute(&other, (&scope, Vec::new()), axes.clone(), progress, &|_| ()).ok()?;
+            other.diagram.wall = 2;
+            other.along.iter_mut().for_each(|row| row.wall = 2);
+            Some(other)
+        });
+        let unfolded = match (Self::compute(&oscillator, (&scope, asked), axes, progress, keep), other) {
+            (Ok(unfolded), other) => Ok(Self { other: other.map(Box::new), ..unfolded }),
+            // Only the other wall is met in the ranges.
+            (Err(_), Some(other)) => Ok(other),
+            (Err(error), None) => Err(error),
+        };
         let mut unfolded = unfolded.map_err(|error| error.in_units(&units));
         if let Ok(Self { diagram, diagrams, sequences, .. }) = &mut unfolded {
             let most = scope.loops.iter().copied().max().unwrap_or_default();
@@ -271,8 +288,8 @@ impl Unfolded {
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(ALONG));
         }
-        let (diagrams, sequences) = Default::default();
-        Ok(Self { axes, diagram, resonances, diagrams, sequences, along })
+        let (diagrams, sequences, other) = Default::default();
+        Ok(Self { axes, diagram, resonances, diagrams, other, sequences, along })
     }
 
     /// The resonances at which a theorem holds, with the results for their curves.
@@ -294,10 +311,15 @@ impl Unfolded {
             name: format!("diagram {}", diagram.diagram),
             thin: true,
         });
-        PlaneDiagram {
+        let mut all = PlaneDiagram {
             several: self.sequences().regions,
             ..plane::plane_diagram(&self.axes, &self.diagram, panels.collect(), sections.collect())
+        };
+        if let Some(other) = &self.other {
+            let other = plane::plane_diagram(&self.axes, &other.diagram, Vec::new(), Vec::new());
+            plane::add_other_wall(&mut all, other);
         }
+        all
     }
 
     /// The rows of solutions with several impacts.
@@ -326,12 +348,22 @@ impl Unfolded {
 
     /// The rows of quantities along the grazing curve.
     pub fn along_grazing(&self) -> AlongGrazing {
-        AlongGrazing { grazing: tables::grazing(self), grazing_loops: self.along.clone() }
+        let (mut grazing, mut grazing_loops) = (tables::grazing(self), self.along.clone());
+        if let Some(other) = self.other.as_deref().map(Self::along_grazing) {
+            grazing.extend(other.grazing);
+            grazing_loops.extend(other.grazing_loops);
+        }
+        AlongGrazing { grazing, grazing_loops }
     }
 
     /// The rows of results at resonances.
     pub fn at_resonances(&self) -> AtResonances {
-        AtResonances { coefficients: tables::coefficients(self), hypotheses: tables::hypotheses(self) }
+        let (mut coefficients, mut hypotheses) = (tables::coefficients(self), tables::hypotheses(self));
+        if let Some(other) = self.other.as_deref().map(Self::at_resonances) {
+            coefficients.extend(other.coefficients);
+            hypotheses.extend(other.hypotheses);
+        }
+        AtResonances { coefficients, hypotheses }
     }
 }
 
@@ -428,7 +460,7 @@ fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<Grazi
         let found = states.par_iter().filter_map(|(arc, state)| {
             let parameters = units.parameters(state.orbit.oscillator().parameters());
             let point = state.orbit.resonant_point(loops).ok()?.in_units(units);
-            Some(GrazingLoopRow { arc: *arc, parameters, point })
+            Some(GrazingLoopRow { arc: *arc, wall: diagram.wall, parameters, point })
         });
         all.extend(found.collect::<Vec<_>>());
         progress.step(ALONG);

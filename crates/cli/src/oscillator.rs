@@ -10,6 +10,21 @@ use grazing_source::{Setting, Text};
 use crate::failure::Failure;
 use crate::limits::reading;
 
+/// Refuses an oscillator with two walls, where a command is for one.
+///
+/// # Errors
+/// There are two walls.
+pub(crate) fn with_one_wall(file: &Path, description: &Description, command: &str) -> Result<(), Failure> {
+    if !description.has_two_walls() {
+        return Ok(());
+    }
+    Err(Failure::input(format!(
+        "{}: there are two [[walls]], and `grazing {command}` is for oscillators with one; `grazing unfold` with --at and \
+         [[diagrams]] shows what motion between two walls comes to",
+        file.display()
+    )))
+}
+
 /// A file that describes an oscillator.
 pub(crate) struct OscillatorFile {
     pub(crate) file: PathBuf,

@@ -184,6 +184,11 @@ impl Task {
             limits::note_excess(file, self.limits, watch.taken());
         }
         terminal::say(&listing::results(layout, description, unfolded));
+        if let Some((other, seen)) = unfolded.other.as_deref().zip(description.from_each_wall().nth(1)) {
+            let heading = "As the second wall sees it, without one-parameter diagrams; motion without impacts is the same";
+            terminal::say(&format!("\n{}", layout.wrapped("", heading)));
+            terminal::say(&listing::results(layout, &seen, other));
+        }
         if let Some(compared) = &analysed.compared {
             terminal::say(&measured::listing(layout, compared));
         }
@@ -205,7 +210,11 @@ impl Task {
         if !left_out.is_empty() {
             return Err(limits::no_room(file, self.limits, &left_out));
         }
-        verdict(file, &unfolded.resonances, listing::incomplete(&unfolded.diagram))
+        let other = unfolded.other.as_deref();
+        let mut seen = [Some(unfolded), other].into_iter().flatten();
+        let missing = seen.find_map(|unfolded| listing::incomplete(&unfolded.diagram));
+        let other = other.map_or(&[][..], |other| &other.resonances);
+        verdict(file, &[unfolded.resonances.as_slice(), other].concat(), missing)
     }
 
     /// Figures, tables and the page that shows them; and the pictures for which there is no room.

@@ -4,11 +4,11 @@ use grazing_model::motion::{Maximum, Motion};
 use grazing_model::orbit::{Flight, FlightEnd};
 use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
-use grazing_model::{ImpactOscillator, Passage, State};
+use grazing_model::{ImpactOscillator, Passage};
 use grazing_theorems::from_map::GrazingOrbit;
 use smallvec::SmallVec;
 
-use crate::mps::{EventTimes, LoopEquations, at_phase_zero, planes};
+use crate::mps::{EventTimes, LoopEquations, planes};
 use crate::solution::{Multipliers, PeriodicSolution, Stability};
 use crate::tolerances::{REST, UNSURE_HEIGHT};
 use crate::unknowns::{Unknowns, unknown};
@@ -20,34 +20,46 @@ const END: f64 = 1e-4;
 impl<O: ImpactOscillator> LoopEquations<O> {
     /// The flights of a solution, from impact to impact; without impacts one over a forcing period.
     pub(crate) fn flights(&self, point: &Unknowns) -> SmallVec<[O::Motion; 1]> {
-        let oscillator = self.oscillator_at(point);
-        let flight = |from: State| oscillator.motion(from);
-        match self.has_impacts() {
-            true => (0..point.impacts())
-                .map(|impact| flight(oscillator.reset::<1>(point.impact(impact)).image().into()))
-                .collect(),
-            false => SmallVec::from_buf([flight(at_phase_zero(point).at_phase_zero())]),
-        }
+        let views = self.views(point);
+        let flight = |impact: usize| views.at(impact).motion(self.beginning(&views, point, impact));
+        (0..point.impacts()).map(flight).collect()
+    }
+
+    /// The flights as the other stop sees each, if there are two.
+    fn flights_across(&self, point: &Unknowns) -> Option<SmallVec<[O::Motion; 1]>> {
+        self.has_two_stops().then_some(())?;
+        let views = self.views(point);
+        let across = |impact: usize| {
+            let (oscillator, from) = (views.at(impact), self.beginning(&views, point, impact));
+            Some(oscillator.other_stop()?.motion(oscillator.across(from)))
+        };
+        (0..point.impacts()).map(across).collect()
     }
 
     /// The flights of a solution as those of an orbit, timed from the first recoil; without impacts one
-    /// over a forcing period.
+    /// over a forcing period. The first stop sees them, if there are two.
     pub fn flown(&self, point: &Unknowns) -> Vec<Flight<O::Motion>> {
-        let oscillator = self.oscillator_at(point);
+        let (views, oscillator) = (self.views(point), self.oscillator_at(point));
         let (motions, spans) = (self.flights(point), self.spans(point));
         let count = motions.len();
         let flight = |(index, (motion, [start, duration])): (usize, (O::Motion, [f64; 2]))| {
-            let (from, end) = match self.has_impacts() {
-                true => {
-                    let next = point.impact((index + 1) % count);
-                    (self.recoil(point, index), FlightEnd::Impact(next.into()))
-                }
-                false => {
-                    let phase = oscillator.forcing_frequency().value * duration;
-                    (self.departure(point), FlightEnd::TimeIsUp(motion.at(duration).state(phase)))
+            let from = self.beginning(&views, point, index);
+            let (from, motion) = match self.stop(index) {
+                0 => (from, motion),
+                _ => {
+                    let from = views.at(index).across(from);
+                    (from, oscillator.motion(from))
                 }
             };
-            Flight { start, from, motion, duration, end, rest: None }
+            let next = (index + 1) % count;
+            let end = match self.has_impacts() {
+                true => FlightEnd::Impact(point.impact(next).into()),
+                false => {
+                    let phase = oscillator.forcing_frequency().value * duration;
+                    FlightEnd::TimeIsUp(motion.at(duration).state(phase))
+                }
+            };
+            Flight { start, from, motion, duration, end, stop: self.stop(next), rest: None }
         };
         motions.into_iter().zip(spans).enumerate().map(flight).collect()
     }
@@ -67,27 +79,27 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         if !self.has_impacts() {
             return SmallVec::from_buf([[0.0, self.oscillator_at(point).forcing_period()]]);
         }
-        let oscillator = self.oscillator_at(point);
+        let views = self.views(point);
+        let oscillator = views.at(0);
         let frequency = oscillator.forcing_frequency().value;
         let count = point.impacts();
-        let phases = |impact: usize| {
-            let at = point.impact(impact);
-            [at.phase, State::from(oscillator.reset::<1>(at).image()).phase]
-        };
+        let phases = |impact: usize| [point.impact(impact).phase, views.recoil(point, impact).phase];
         let [_, first] = phases(0);
         (0..count)
             .map(|impact| {
                 let [_, recoil] = phases(impact);
                 let loops = if impact + 1 == count { self.loops() } else { 0 };
                 let next = point[unknown::phase((impact + 1) % count)];
-                [(recoil - first) / frequency, flight_time(&oscillator, loops, next, recoil)]
+                [(recoil - first) / frequency, flight_time(oscillator, loops, next, recoil)]
             })
             .collect()
     }
 
     /// The solution on a curve of interior grazing as a grazing orbit with impacts elsewhere; `None` where
-    /// P_global is not defined.
+    /// P_global is not defined, and with two stops.
     pub fn touching_orbit(&self, point: &Unknowns, times: &EventTimes) -> Option<GrazingOrbit<O>> {
+        // A passage knows of one stop.
+        (!self.has_two_stops()).then_some(())?;
         let oscillator = self.oscillator_at(point);
         let (touching, start) = self.flight_at(point, times.grazing_time);
         let spans = self.spans(point);
@@ -165,7 +177,12 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             multipliers,
             highest_interior_maximum: Purpose::Admissibility.during(|| match self.has_impacts() {
                 true => self.highest(point, flights, |motion, flight| motion.highest_maximum(flight)),
-                false => Some(highest_point(&flights[0], self.flight(point))),
+                false => {
+                    let period = self.flight(point);
+                    let own = highest_point(&flights[0], period);
+                    let across = self.flights_across(point).map(|flights| highest_point(&flights[0], period));
+                    Some(across.filter(|across| across.position > own.position).unwrap_or(own))
+                }
             }),
         }
     }
@@ -179,7 +196,9 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         of: impl Fn(&O::Motion, f64) -> Option<Maximum>,
     ) -> Option<Maximum> {
         let spans = self.spans(point);
-        let found = flights.iter().zip(spans).filter_map(|(flight, [start, duration])| {
+        let across = self.flights_across(point).unwrap_or_default();
+        let found = flights.iter().zip(&spans).chain(across.iter().zip(&spans));
+        let found = found.filter_map(|(flight, &[start, duration])| {
             let top = of(flight, duration)?;
             Some(Maximum { time: top.time + start, ..top })
         });

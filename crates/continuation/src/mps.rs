@@ -22,6 +22,7 @@ mod symmetry;
 use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::{self, MapError};
+use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, AtPhase, ImpactOscillator, MapJet, OnWall, State, Surface};
 use nalgebra::Vector2;
 use smallvec::SmallVec;
@@ -88,6 +89,33 @@ impl EventTimes {
     }
 }
 
+/// The stop that an impact hits, of those of a sequence that recurs; 0 for an empty one.
+fn stop_of(stops: &[usize], impact: usize) -> usize {
+    if stops.is_empty() { 0 } else { stops[impact % stops.len()] }
+}
+
+/// An oscillator as each stop sees it that an impact of a solution hits.
+pub(crate) struct Views<'a, O> {
+    oscillator: O,
+    other: Option<O>,
+    stops: &'a [usize],
+}
+
+impl<O: ImpactOscillator> Views<'_, O> {
+    /// The oscillator as the stop of the impact with an index sees it.
+    pub(crate) fn at(&self, impact: usize) -> &O {
+        match (stop_of(self.stops, impact), &self.other) {
+            (1, Some(other)) => other,
+            _ => &self.oscillator,
+        }
+    }
+
+    /// The state just after the impact with an index.
+    pub(crate) fn recoil(&self, point: &Unknowns, impact: usize) -> State {
+        self.at(impact).reset::<1>(point.impact(impact)).image().into()
+    }
+}
+
 /// The equations of the periodic solutions of one oscillator with one impact in p forcing periods
 /// (MPSs), or without impacts (p = 0).
 #[derive(Clone, Debug)]
@@ -101,13 +129,16 @@ pub struct LoopEquations<O = AnyOscillator> {
     symmetry: Option<Symmetry>,
     /// Whether the equations are those of symmetric motion over half a period.
     halved: bool,
+    /// The stop that each impact hits, if not all are at x = 0.
+    stops: SmallVec<[usize; 4]>,
 }
 
 impl<O: ImpactOscillator> LoopEquations<O> {
     /// The equations of MPSs with `loops` = p ≥ 1 loops, or, for any formulation, of periodic
     /// solutions without impacts (p = 0); the oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
-        Self { oscillator, loops, formulation, units: [1.0; 2], symmetry: None, halved: false }
+        let stops = SmallVec::new();
+        Self { oscillator, loops, formulation, units: [1.0; 2], symmetry: None, halved: false, stops }
     }
 
     /// The equations of periodic solutions without impacts; in lengths of steps μ and η are
@@ -120,6 +151,40 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     #[must_use]
     pub fn with_symmetry(self, symmetry: Option<Symmetry>) -> Self {
         Self { symmetry, ..self }
+    }
+
+    /// The equations of solutions whose impacts hit these stops, in their order, over and over: 0 is that at
+    /// x = 0, 1 the other. Each impact is as its stop sees it.
+    #[must_use]
+    pub fn at_stops(&self, stops: impl IntoIterator<Item = usize>) -> Self {
+        Self { stops: stops.into_iter().collect(), ..self.clone() }
+    }
+
+    /// The stops that impacts hit, in their order, over and over; none if all are at x = 0.
+    pub fn stops(&self) -> &[usize] {
+        &self.stops
+    }
+
+    /// The stop that the impact with an index hits.
+    pub fn stop(&self, impact: usize) -> usize {
+        stop_of(&self.stops, impact)
+    }
+
+    /// Whether so many impacts hit the same stops in order if another is taken for the first.
+    fn stops_recur(&self, impacts: usize, first: usize) -> bool {
+        (0..impacts).all(|impact| self.stop(impact) == self.stop((impact + first) % impacts))
+    }
+
+    /// Whether the oscillator has two stops.
+    pub fn has_two_stops(&self) -> bool {
+        self.oscillator.other_stop().is_some()
+    }
+
+    /// The oscillator at the parameters of a point, as the stops of the impacts see it.
+    pub(crate) fn views(&self, point: &Unknowns) -> Views<'_, O> {
+        let oscillator = self.oscillator_at(point);
+        let other = if self.stops.contains(&1) { oscillator.other_stop() } else { None };
+        Views { oscillator, other, stops: &self.stops }
     }
 
     /// The equations of symmetric motion: half a forcing period and the mirror lead back; `None`
@@ -158,7 +223,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             let gap = if self.has_impacts() { gap.less_turns() } else { gap };
             gap.component_div(&self.units(from))
         };
-        let others = (1..from.impacts()).map(|first| apart(&from.beginning_with(first, self.loops)));
+        let others = (1..from.impacts()).filter(|first| self.stops_recur(from.impacts(), *first));
+        let others = others.map(|first| apart(&from.beginning_with(first, self.loops)));
         let shorter = |short: Unknowns, next: Unknowns| if next.norm() < short.norm() { next } else { short };
         others.fold(apart(from), shorter)
     }
@@ -166,7 +232,9 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The displacement from a solution to itself a part of its time later, for a number of equal parts into
     /// which both its impacts and its forcing periods can be divided.
     pub fn after_a_part(&self, point: &Unknowns, parts: usize) -> Option<Unknowns> {
-        let divides = point.impacts().is_multiple_of(parts) && self.loops.is_multiple_of(parts as u32);
+        let divides = point.impacts().is_multiple_of(parts)
+            && self.loops.is_multiple_of(parts as u32)
+            && self.stops_recur(point.impacts(), point.impacts() / parts);
         let later = || point.beginning_with(point.impacts() / parts, self.loops);
         divides.then(|| (later() - point).less_turns())
     }
@@ -214,18 +282,22 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.oscillator.with_parameters(parameters(point))
     }
 
-    /// The state in which the flight begins: just after the impact, (0, y_rec, z_rec); without
-    /// impacts at phase zero, (x, y, 0).
+    /// The state in which the flight begins: just after the impact, (0, y_rec, z_rec), as its stop sees it;
+    /// without impacts at phase zero, (x, y, 0).
     pub fn departure(&self, point: &Unknowns) -> State {
         match self.has_impacts() {
-            true => self.recoil(point, 0),
+            true => self.views(point).recoil(point, 0),
             false => at_phase_zero(point).at_phase_zero(),
         }
     }
 
-    /// The state just after the impact with an index.
-    pub(crate) fn recoil(&self, point: &Unknowns, impact: usize) -> State {
-        self.oscillator_at(point).reset::<1>(point.impact(impact)).image().into()
+    /// The state in which the flight after an impact begins, as its stop sees it, or that of motion without
+    /// impacts.
+    pub(crate) fn beginning(&self, views: &Views<'_, O>, point: &Unknowns, impact: usize) -> State {
+        match self.has_impacts() {
+            true => views.recoil(point, impact),
+            false => at_phase_zero(point).at_phase_zero(),
+        }
     }
 
     /// The maps of all impacts at a point with derivatives up to `ORDER`.
@@ -238,7 +310,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         times: &mut EventTimes,
     ) -> Result<Round, MapError> {
         match self.formulation {
-            Formulation::Vivid if self.has_impacts() && point.impacts() == 1 => {
+            Formulation::Vivid if self.has_impacts() && point.impacts() == 1 && self.stops.is_empty() => {
                 let oscillator = self.oscillator_at(point);
                 let impact = point.impact(0);
                 let reset = oscillator.reset::<ORDER>(impact);
@@ -308,18 +380,20 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         planes: &[f64],
         flights: &[O::Motion],
     ) -> Round {
-        let oscillator = self.oscillator_at(point);
+        let views = self.views(point);
         let pair = |(index, flight): (usize, &O::Motion)| {
-            let impact = point.impact(index);
+            let (oscillator, impact) = (views.at(index), point.impact(index));
             let reset = oscillator.reset::<ORDER>(impact);
             let [from_recoil, from_impact]: [State; 2] = [reset.image().into(), impact.into()];
             let (next, loops) =
                 if index + 1 == flights.len() { (planes[0], self.loops) } else { (planes[index + 1], 0) };
             let around_to = next + f64::from(loops) * TAU;
-            let around = maps::to_phase::<O, ORDER, _>(&oscillator, flight, from_recoil, around_to);
+            let mut around = maps::to_phase::<O, ORDER, _>(oscillator, flight, from_recoil, around_to);
+            if self.stop((index + 1) % flights.len()) != self.stop(index) {
+                around = maps::across(oscillator, &around, around_to);
+            }
             let straight = oscillator.motion(from_impact);
-            let ahead =
-                maps::to_phase::<O, ORDER, OnWall>(&oscillator, &straight, from_impact, planes[index]);
+            let ahead = maps::to_phase::<O, ORDER, OnWall>(oscillator, &straight, from_impact, planes[index]);
             LoopPair::of(&around.after::<ORDER, _>(&reset), &ahead)
         };
         flights.iter().enumerate().map(pair).collect()
@@ -370,12 +444,16 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// # Errors
     /// The maximum has disappeared.
     pub fn maximum_near(&self, point: &Unknowns, time: &mut f64) -> Result<(f64, Unknowns), MapError> {
-        let oscillator = self.oscillator_at(point);
+        if let Some(beside) = self.maximum_at_other_stop(point, time) {
+            return beside;
+        }
         let mut gradient = point.filled(0.0);
         if self.has_impacts() {
             let (flight, start) = self.flight_at(point, *time);
+            let views = self.views(point);
+            let oscillator = views.at(flight);
             let reset = oscillator.reset::<1>(point.impact(flight));
-            let landing = maps::virtual_map::<O, 1>(&oscillator, reset.image(), Some(*time - start))?;
+            let landing = maps::virtual_map::<O, 1>(oscillator, reset.image(), Some(*time - start))?;
             *time = landing.time + start;
             let jet = landing.jet.after::<1, _>(&reset).plain();
             for (variable, index) in unknown::of_impact(flight).into_iter().enumerate() {
@@ -383,11 +461,63 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             }
             return Ok((jet.value[0], gradient));
         }
+        let oscillator = self.oscillator_at(point);
         let landing = maps::maximum_from_phase_zero::<O, 1>(&oscillator, at_phase_zero(point), *time)?;
         *time = landing.time;
         let jet = landing.jet.plain();
         (0..4).for_each(|index| gradient[index] = jet.jacobian[(0, index)]);
         Ok((jet.value[0], gradient))
+    }
+
+    /// Whether the highest maximum of a solution is one of −D − x, at the other stop than that from which its
+    /// flight begins.
+    pub fn is_nearest_to_other_stop(&self, solution: &PeriodicSolution) -> bool {
+        let Some(top) = solution.highest_interior_maximum.filter(|_| self.has_two_stops()) else {
+            return false;
+        };
+        self.maximum_at_other_stop(&solution.unknowns, &mut top.time.clone()).is_some()
+    }
+
+    /// The same for a maximum of −D − x, which touches the other stop than that from which the flight begins;
+    /// `None` if the motion is nearer to its own there, or there is only one.
+    ///
+    /// At the maximum the derivative in time vanishes, so that the phase may be held in the others.
+    fn maximum_at_other_stop(
+        &self,
+        point: &Unknowns,
+        time: &mut f64,
+    ) -> Option<Result<(f64, Unknowns), MapError>> {
+        self.has_two_stops().then_some(())?;
+        let (flight, start) = if self.has_impacts() { self.flight_at(point, *time) } else { (0, 0.0) };
+        let views = self.views(point);
+        let (oscillator, from) = (views.at(flight), self.beginning(&views, point, flight));
+        let other = oscillator.other_stop()?;
+        let frequency = oscillator.forcing_frequency().value;
+        let motion = oscillator.motion(from);
+        let there = motion.at(*time - start).state(from.phase + frequency * (*time - start));
+        if oscillator.across(there).position <= there.position {
+            return None;
+        }
+        let top = match maps::maximum_near(&other, oscillator.across(from), *time - start) {
+            Ok(top) => top,
+            Err(error) => return Some(Err(error)),
+        };
+        *time = top + start;
+        let phase = from.phase + frequency * top;
+        let mut gradient = point.filled(0.0);
+        if self.has_impacts() {
+            let reset = oscillator.reset::<1>(point.impact(flight));
+            let there = maps::to_phase::<O, 1, OnWall>(oscillator, &motion, from, phase);
+            let jet = maps::across(oscillator, &there, phase).after::<1, _>(&reset).plain();
+            for (variable, index) in unknown::of_impact(flight).into_iter().enumerate() {
+                gradient[index] = jet.jacobian[(0, variable)];
+            }
+            return Some(Ok((jet.value[0], gradient)));
+        }
+        let there = maps::to_phase::<O, 1, AtPhase>(oscillator, &motion, from, phase);
+        let jet = maps::across(oscillator, &there, phase).plain();
+        (0..4).for_each(|index| gradient[index] = jet.jacobian[(0, index)]);
+        Some(Ok((jet.value[0], gradient)))
     }
 
     /// The position x of the flight when the forcing is at a phase, counted from that of the

@@ -29,6 +29,8 @@ const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
 const FAR: f64 = 15.0;
 /// Phases, as fractions of the period, that are not related by any symmetry.
 const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
+/// Number of phases at which two walls must not meet.
+const PHASES: u32 = 64;
 /// The relative change over one period that rounding may cause: the phase's error, a few units in
 /// the last place, is magnified by the derivative with respect to it, which is far below 1e6 for
 /// any forcing whose period could be resolved.
@@ -39,19 +41,25 @@ type Checked = Result<(), DescriptionError>;
 /// Checks frequency, force and reset law at samples, in the order of the file, until the
 /// computation is cancelled; returns notes on values that are allowed but perhaps not intended.
 pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<String>, DescriptionError> {
-    let sampler = Sampler::new(description);
     let parameters = description.sampled();
+    let seen: Vec<Description> = description.from_each_wall().collect();
     for check in Sampler::CHECKS {
-        for &parameters in &parameters {
-            if stop.is_asked() {
-                return Err(DescriptionError::Ended);
+        for sampler in seen.iter().map(Sampler::new) {
+            for &parameters in &parameters {
+                if stop.is_asked() {
+                    return Err(DescriptionError::Ended);
+                }
+                check(&sampler, parameters)?;
             }
-            check(&sampler, parameters)?;
         }
     }
+    let sampler = Sampler::new(description);
     let going = || parameters.iter().take_while(|_| !stop.is_asked());
+    let other =
+        seen.iter().skip(1).map(Sampler::new).find_map(|other| going().find_map(|&at| other.unusual(at)));
     let notes = [
         going().find_map(|&at| sampler.unusual(at)),
+        other,
         sampler.unsprung(going()),
         going().find_map(|&at| sampler.undamped(at)),
         going().find_map(|&at| sampler.in_hertz(at)),
@@ -76,7 +84,7 @@ impl<'a> Sampler<'a> {
         [Self::frequency, Self::wall, Self::force, Self::restitution, Self::duration];
 
     pub(crate) fn new(description: &'a Description) -> Self {
-        Self { description, places: &description.0.places, units: description.units() }
+        Self { description, places: &description.seen().places, units: description.units() }
     }
 
     /// Whether all checks pass at a place.
@@ -121,6 +129,18 @@ impl<'a> Sampler<'a> {
             let at = || self.point([mu, eta], &[("t", t)]);
             let values = [position(t), position(t + period)];
             finite_and_periodic(place, values, self.units.length, ("t", period), at)?;
+        }
+        for t in (0..PHASES).map(|k| period * f64::from(k) / f64::from(PHASES)) {
+            let [gap, _] = self.description.gap(t, mu, eta);
+            if gap.is_nan() || gap <= 0.0 {
+                let at = self.point([mu, eta], &[("t", t)]);
+                let problem = format!(
+                    "the walls meet: at {at} the one that has the motion below it is {} above the other; it must be above it over the \
+                     ranges of both parameters, at all times",
+                    rounded(gap)
+                );
+                return Err(wrong(place, problem));
+            }
         }
         Ok(())
     }

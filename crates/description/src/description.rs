@@ -13,24 +13,35 @@ use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Side
 
 /// An oscillator with a wall, as described by a file; a clone shares everything with the original.
 ///
-/// Paper: eq:F, eq:R. All quantities are in the units of the file, dimensionless or not.
+/// Paper: eq:F, eq:R. All quantities are in the units of the file, dimensionless or not. If there are two
+/// walls, it is seen from one of them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Description(pub(crate) Arc<Content>);
+pub struct Description(pub(crate) Arc<Content>, pub(crate) usize);
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Content {
     /// The file as written, except that the constants are in alphabetical order.
     pub(crate) file: File,
-    pub(crate) formulas: Formulas,
-    pub(crate) texts: Expressions<String>,
-    pub(crate) places: Expressions<KeyPlace>,
+    /// What is seen from each wall: one, or two in the order of the file.
+    pub(crate) stops: Vec<Seen>,
     pub(crate) start: Option<[f64; 2]>,
-    pub(crate) mass: Option<Expression>,
     pub(crate) curves: Vec<OwnCurve>,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
     /// The units, once they have been determined.
     pub(crate) units: OnceLock<Units>,
+}
+
+/// The oscillator as it is seen from one of its walls.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Seen {
+    pub(crate) texts: Expressions<String>,
+    pub(crate) places: Expressions<KeyPlace>,
+    pub(crate) side: Side,
+    /// The mass that hits this wall, as written.
+    pub(crate) mass_text: Option<String>,
+    pub(crate) formulas: Formulas,
+    pub(crate) mass: Option<Expression>,
 }
 
 /// The formulas for computation; the force is that seen from the wall.
@@ -192,19 +203,34 @@ impl Description {
 
     /// The wall.
     pub fn wall(&self) -> &Wall {
-        &self.0.formulas.wall
+        &self.seen().formulas.wall
+    }
+
+    /// What is seen from the wall.
+    pub(crate) fn seen(&self) -> &Seen {
+        &self.0.stops[self.1]
+    }
+
+    /// The oscillator as seen from each of its walls: one, or two in the order of the file.
+    pub fn from_each_wall(&self) -> impl Iterator<Item = Description> {
+        (0..self.0.stops.len()).map(|stop| Description(self.0.clone(), stop))
+    }
+
+    /// Whether motion takes place between two walls.
+    pub fn has_two_walls(&self) -> bool {
+        self.0.stops.len() == 2
     }
 
     /// The formulas for computation: the force seen from the [`Wall`], in u, u̇, t, μ, η; ω in μ,
     /// η; Φ and Ψ in y, z, μ, η.
     pub fn formulas(&self) -> [&Expression; 4] {
-        let Formulas { force, frequency, restitution, duration, .. } = &self.0.formulas;
+        let Formulas { force, frequency, restitution, duration, .. } = &self.seen().formulas;
         [force, frequency, restitution, duration]
     }
 
     /// The expressions as written in the file.
     pub fn texts(&self) -> &Expressions<String> {
-        &self.0.texts
+        &self.seen().texts
     }
 
     /// The start (u, u̇) at time zero of the search for the non-impacting motion, if the file gives
@@ -254,13 +280,13 @@ impl Description {
 
     /// Whether the file gives the mass that hits the wall.
     pub fn has_mass(&self) -> bool {
-        self.0.mass.is_some()
+        self.0.stops.iter().all(|seen| seen.mass.is_some())
     }
 
     /// The impulse m (1 + Φ) y of an impact and the energy m/2 (1 − Φ²) y² that it dissipates; NaN
     /// where the file gives no mass.
     pub fn impulse_and_loss(&self, [y, z]: [f64; 2], [mu, eta]: [f64; 2]) -> [f64; 2] {
-        let mass = self.0.mass.as_ref().map_or(f64::NAN, |mass| mass.evaluate(&[mu, eta]));
+        let mass = self.seen().mass.as_ref().map_or(f64::NAN, |mass| mass.evaluate(&[mu, eta]));
         let restitution = self.restitution(y, z, mu, eta);
         [mass * (1.0 + restitution) * y, 0.5 * mass * (1.0 - restitution * restitution) * y * y]
     }
@@ -278,23 +304,37 @@ impl Description {
 
 impl SmoothOscillator for Description {
     fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S {
-        self.0.formulas.force.evaluate(&[x, y, t, mu, eta])
+        self.seen().formulas.force.evaluate(&[x, y, t, mu, eta])
     }
 
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
-        let mut force = self.0.formulas.force.hold(&[t, mu, eta]);
+        let mut force = self.seen().formulas.force.hold(&[t, mu, eta]);
         move |x, y| force(&[&x, &y])
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {
-        self.0.formulas.frequency.evaluate(&[mu, eta])
+        self.seen().formulas.frequency.evaluate(&[mu, eta])
     }
 
     fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
-        self.0.formulas.restitution.evaluate(&[y, z, mu, eta])
+        self.seen().formulas.restitution.evaluate(&[y, z, mu, eta])
     }
 
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
-        self.0.formulas.duration.evaluate(&[y, z, mu, eta])
+        self.seen().formulas.duration.evaluate(&[y, z, mu, eta])
+    }
+    fn other_stop(&self) -> Option<Self> {
+        self.has_two_walls().then(|| Self(self.0.clone(), 1 - self.1))
+    }
+
+    fn gap<S: Scalar>(&self, t: S, mu: S, eta: S) -> [S; 2] {
+        let [own, other] =
+            [self.1, 1 - self.1].map(|stop| self.0.stops.get(stop).map(|seen| &seen.formulas.wall));
+        let (Some(own), Some(other)) = (own, other) else { return [f64::INFINITY, 0.0].map(S::constant) };
+        let still = S::constant(0.0);
+        let at = [still, still, t, mu, eta];
+        let apart =
+            |k: usize| (own.outside[k].evaluate(&at) - other.outside[k].evaluate(&at)).scale(own.side.sign());
+        [apart(0), apart(1)]
     }
 }

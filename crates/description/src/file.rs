@@ -59,9 +59,12 @@ keys! {
         motion: Motion = table(), "the table [motion] holds force and frequency";
         /// The wall.
         wall: Option<WrittenWall> = maybe(table()),
-            "the table [wall] holds the position of the wall and the side of the wall on which the motion takes place; without it the wall is at x = 0; one stop is supported";
+            "the table [wall] holds the position of the wall and the side of the wall on which the motion takes place; without it the wall is at x = 0; two walls are two tables [[walls]]; a wall is rigid here, and a soft stop is a part of motion.force, as -k*(x + sqrt(x^2 + s^2))/2 with a small s for a spring that is pressed where x > 0, with a rigid wall out of reach behind it";
+        /// Two walls, with the motion between them.
+        walls: Vec<WrittenStop> = tables(0..=2),
+            "each [[walls]] is one of two rigid walls between which the motion takes place, and holds its position; it may hold side, and restitution, duration and mass in place of those of [impact]; one wall is a table [wall]";
         /// What an impact does.
-        impact: Impact = table(), "the table [impact] holds restitution and duration, and may hold mass";
+        impact: Option<Impact> = maybe(table()), "the table [impact] holds restitution and duration, and may hold mass; it may be left out if each of two [[walls]] has its own";
         /// What is computed.
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold generations, start, time_limit, memory_limit and step_limit";
@@ -121,7 +124,28 @@ keys! {
             "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
         /// The side on which the motion is.
         side: Side = or(choice(&[("below", Side::Below), ("above", Side::Above)]), Side::Below),
-            "the side of the wall on which the motion takes place must be \"below\" (less than its position) or \"above\" (greater), as one stop is supported; if it is left out, it is \"below\"";
+            "the side of the wall on which the motion takes place must be \"below\" (less than its position) or \"above\" (greater), or else there are two tables [[walls]]; if it is left out, it is \"below\"";
+    }
+}
+
+keys! {
+    /// One of two walls.
+    pub(crate) struct WrittenStop {
+        /// Its position.
+        position: String = value(),
+            "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
+        /// The side on which the motion is.
+        side: Option<Side> = maybe(choice(&[("below", Side::Below), ("above", Side::Above)])),
+            "the side of the wall on which the motion takes place must be \"below\" (less than its position) for one of two walls and \"above\" (greater) for the other; if it is left out, the motion is between their positions";
+        /// Its restitution Φ.
+        restitution: Option<String> = maybe(value()),
+            "the restitution must be an expression in y, z and the parameters, in quotation marks, such as \"0.8\"; if it is left out, it is that of [impact]";
+        /// The duration Ψ of impacts on it.
+        duration: Option<String> = maybe(value()),
+            "the impact duration must be an expression in y, z and the parameters, in quotation marks, \"0\" for impacts that take no time; if it is left out, it is that of [impact]";
+        /// The mass that hits it.
+        mass: Option<String> = maybe(value()),
+            "the mass must be an expression in the parameters, positive and in quotation marks, such as \"0.5\" or \"m\"; if it is left out, it is that of [impact], if there is one";
     }
 }
 
@@ -129,10 +153,10 @@ keys! {
     /// The reset law, and the mass.
     pub(crate) struct Impact {
         /// The restitution Φ.
-        restitution: String = value(),
+        restitution: Option<String> = maybe(value()),
             "the restitution must be an expression in y, z and the parameters, in quotation marks, such as \"0.8\"";
         /// The impact duration Ψ.
-        duration: String = value(),
+        duration: Option<String> = maybe(value()),
             "the impact duration must be an expression in y, z and the parameters, in quotation marks, \"0\" for impacts that take no time";
         /// The mass that hits the wall, for impulse, force and power.
         mass: Option<String> = maybe(value()),
@@ -303,6 +327,14 @@ impl Side {
         match self {
             Self::Below => "below",
             Self::Above => "above",
+        }
+    }
+
+    /// The other side.
+    pub(crate) const fn opposite(self) -> Self {
+        match self {
+            Self::Below => Self::Above,
+            Self::Above => Self::Below,
         }
     }
 

@@ -21,11 +21,14 @@ impl Description {
         if !ranges.iter().all(|[low, high]| low < high) {
             return None;
         }
-        let sampler = Sampler::new(self);
+        let seen: Vec<Description> = self.from_each_wall().collect();
+        let samplers: Vec<Sampler<'_>> = seen.iter().map(Sampler::new).collect();
         let [low, high] = self.forcing_frequencies();
         let slowest = low.min(high / SLOWEST);
         let passes = |at: [f64; 2]| {
-            !stop.is_asked() && self.forcing_frequency::<f64>(at[0], at[1]) >= slowest && sampler.passes(at)
+            !stop.is_asked()
+                && self.forcing_frequency::<f64>(at[0], at[1]) >= slowest
+                && samplers.iter().all(|sampler| sampler.passes(at))
         };
         let mut part = largest(ranges, &passes)?;
         // Each side moves out by parts of a cell.

@@ -43,7 +43,7 @@ impl Description {
             .whole(|file| validate::description(&file, stop))
             .map_err(|error| if stop.is_asked() { DescriptionError::Ended } else { error })?;
         let content = Arc::make_mut(&mut description.0);
-        content.units = OnceLock::from(Description(Arc::new(content.clone())).units_until(stop));
+        content.units = OnceLock::from(Description(Arc::new(content.clone()), 0).units_until(stop));
         let notes = checks::samples(&description, stop)?;
         Arc::make_mut(&mut description.0).notes = notes;
         Ok(description)
@@ -58,11 +58,13 @@ impl Description {
         let mut content = (*self.0).clone();
         let constants = content.file.parameters.iter_mut();
         constants.filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
-        content.formulas =
-            validate::formulas(&content.texts, self.wall().side, &content.file, &Stop::default())?;
-        content.mass = validate::mass(&content.file, &Stop::default())?;
+        for seen in &mut content.stops {
+            let stop = Stop::default();
+            seen.formulas = validate::formulas(&seen.texts, seen.side, &content.file, &stop)?;
+            seen.mass = validate::mass(seen.mass_text.as_ref(), &content.file, &stop)?;
+        }
         content.units = OnceLock::new();
-        Ok(Description(Arc::new(content)))
+        Ok(Description(Arc::new(content), self.1))
     }
 
     /// The oscillator with other numbers of loops p to analyse.
@@ -77,7 +79,7 @@ impl Description {
         }
         let mut content = (*self.0).clone();
         content.file.analysis.loops = loops.to_vec();
-        Ok(Description(Arc::new(content)))
+        Ok(Description(Arc::new(content), self.1))
     }
 }
 

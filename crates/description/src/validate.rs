@@ -6,11 +6,11 @@ use grazing_model::smooth::Stop;
 use grazing_source::{Keys, Section, SourceError};
 
 use crate::description::{
-    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Property, Wall,
+    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Property, Seen, Wall,
 };
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_uses};
-use crate::file::{Axis, File, Side, WrittenCurve, WrittenDiagram, WrittenWall};
+use crate::file::{Axis, File, Impact, Side, WrittenCurve, WrittenDiagram, WrittenStop, WrittenWall};
 use crate::names;
 
 /// The largest number of constants; every name in an expression is looked up among them.
@@ -64,9 +64,86 @@ pub(crate) fn formulas(
 }
 
 /// The mass that hits the wall, if the file has one.
-pub(crate) fn mass(file: &File, stop: &Stop) -> Result<Option<Expression>, ExpressionError> {
+pub(crate) fn mass(
+    text: Option<&String>,
+    file: &File,
+    stop: &Stop,
+) -> Result<Option<Expression>, ExpressionError> {
     let known = Known::new(file, stop);
-    file.impact.mass.as_ref().map(|text| Ok(known.parse(text, MASS)?.0)).transpose()
+    text.map(|text| Ok(known.parse(text, MASS)?.0)).transpose()
+}
+
+/// A wall as written, with the keys of its expressions: position, restitution, duration, mass.
+struct Written {
+    position: Option<String>,
+    side: Option<Side>,
+    impact: [(Option<String>, String); 3],
+    key: String,
+}
+
+/// The walls of a file: one, or two in their order.
+fn walls(section: &Section<'_>, file: &File) -> Result<Vec<Written>, SourceError> {
+    let common = |name: &str| {
+        let of = |impact: &Impact| match name {
+            "restitution" => impact.restitution.clone(),
+            "duration" => impact.duration.clone(),
+            _ => impact.mass.clone(),
+        };
+        (file.impact.as_ref().and_then(of), format!("impact.{name}"))
+    };
+    let names = ["restitution", "duration", "mass"];
+    let mut walls: Vec<Written> = Vec::new();
+    for (number, WrittenStop { position, side, restitution, duration, mass }) in (1..).zip(&file.walls) {
+        let own = [restitution, duration, mass].into_iter().zip(names);
+        let own = own.map(|(text, name)| match text {
+            Some(text) => (Some(text.clone()), format!("walls[{number}].{name}")),
+            None => common(name),
+        });
+        let impact: Vec<_> = own.collect();
+        let impact = impact.try_into().expect("there are three");
+        let key = format!("walls[{number}].position");
+        walls.push(Written { position: Some(position.clone()), side: *side, impact, key });
+    }
+    if file.wall.is_some() && !walls.is_empty() {
+        let allowed = "there are both [wall] and [[walls]]: one wall is a table [wall], two walls are two tables [[walls]]";
+        return Err(section.forbid("walls", allowed.to_owned()));
+    }
+    if walls.is_empty() {
+        let (position, side, key) = match &file.wall {
+            Some(WrittenWall { position, side }) => (Some(position.clone()), *side, POSITION.0),
+            // The place of the wall's expression is that of the force.
+            None => (None, Side::Below, FORCE.0),
+        };
+        let impact = names.map(common);
+        walls.push(Written { position, side: Some(side), impact, key: key.to_owned() });
+    }
+    for (text, key) in walls.iter().flat_map(|wall| &wall.impact[..2]) {
+        if text.is_none() {
+            let name = key.trim_start_matches("impact.");
+            return Err(match file.impact {
+                Some(_) => section.table("impact")?.lack(name),
+                None => section.lack("impact"),
+            });
+        }
+    }
+    Ok(walls)
+}
+
+/// The sides of two walls on which the motion is: between them.
+fn sides(section: &Section<'_>, walls: &[Written], positions: &[f64]) -> Result<Vec<Side>, SourceError> {
+    let written: Vec<Option<Side>> = walls.iter().map(|wall| wall.side).collect();
+    let [first, second] = written[..] else { return Ok(vec![written[0].unwrap_or(Side::Below)]) };
+    let first = match (first, second) {
+        (Some(first), Some(second)) if first == second => {
+            let allowed = "the motion is between two walls: below one of them and above the other".to_owned();
+            return Err(section.forbid("walls[2].side", allowed));
+        }
+        (Some(first), _) => first,
+        (None, Some(second)) => second.opposite(),
+        (None, None) if positions[0] > positions[1] => Side::Below,
+        (None, None) => Side::Above,
+    };
+    Ok(vec![first, first.opposite()])
 }
 
 /// Checks everything that can be checked without evaluating an expression; returns some error once
@@ -81,37 +158,81 @@ pub(crate) fn description(section: &Section<'_>, stop: &Stop) -> Result<Descript
     let known = Known::new(&file, stop);
     let mut used = [false; 2];
     let mut forced = false;
-    let mut checked = |text: &String, kind: Kind| {
+    let mut checked = |text: &String, kind: Kind, key: &str| {
         let (_, uses) = known
             .parse(text, kind)
-            .map_err(|error| DescriptionError::in_expression(section, kind.0, text, &error))?;
+            .map_err(|error| DescriptionError::in_expression(section, key, text, &error))?;
         for (used, place) in used.iter_mut().zip(kind.1.len()..) {
             *used |= uses.contains(&place);
         }
         let of_phase = |(place, own): (usize, &&str)| ["t", "z"].contains(own) && uses.contains(&place);
         forced |= kind.1.iter().enumerate().any(of_phase);
-        Ok::<_, DescriptionError>((text.clone(), KeyPlace::new(section, kind.0)))
+        Ok::<_, DescriptionError>((text.clone(), KeyPlace::new(section, key)))
     };
-    let (side, wall) = match &file.wall {
-        Some(WrittenWall { position, side }) => (*side, checked(position, POSITION)?),
-        None => (Side::Below, ("0".to_owned(), KeyPlace::new(section, FORCE.0))),
-    };
-    let checked = Expressions {
-        wall,
-        force: checked(&file.motion.force, FORCE)?,
-        frequency: checked(&file.motion.frequency, FREQUENCY)?,
-        restitution: checked(&file.impact.restitution, RESTITUTION)?,
-        duration: checked(&file.impact.duration, DURATION)?,
-    };
-    let (texts, places) = (checked.map(|(text, _)| text.clone()), checked.map(|(_, place)| place.clone()));
-    // Each text is correct by itself.
-    let formulas = formulas(&texts, side, &file, stop)
-        .map_err(|error| DescriptionError::Value { place: places.wall.clone(), problem: error.problem })?;
+    let middle = axes.map(|axis| axis.range[0] + 0.5 * (axis.range[1] - axis.range[0]));
+    let written = walls(section, &file)?;
+    let mut seen = Vec::new();
+    let mut positions = Vec::new();
+    for wall in &written {
+        let text = |text: &Option<String>| text.clone().unwrap_or_else(|| "0".to_owned());
+        let [restitution, duration, _] = &wall.impact;
+        let position = match &wall.position {
+            Some(position) => checked(position, POSITION, &wall.key)?,
+            None => ("0".to_owned(), KeyPlace::new(section, FORCE.0)),
+        };
+        positions.push(
+            known
+                .parse(&position.0, POSITION)
+                .map_or(f64::NAN, |(position, _)| position.evaluate(&[0.0, middle[0], middle[1]])),
+        );
+        let checked = Expressions {
+            wall: position,
+            force: checked(&file.motion.force, FORCE, FORCE.0)?,
+            frequency: checked(&file.motion.frequency, FREQUENCY, FREQUENCY.0)?,
+            restitution: checked(&text(&restitution.0), RESTITUTION, &restitution.1)?,
+            duration: checked(&text(&duration.0), DURATION, &duration.1)?,
+        };
+        seen.push((checked, wall));
+    }
+    if written.len() == 2 {
+        if file.analysis.generations > 1 {
+            let allowed = "solutions with several impacts are sought at one wall alone: with two [[walls]] leave generations out, \
+                           and simulated motion shows them (--at, [[diagrams]])";
+            return Err(section.forbid("analysis.generations", allowed.to_owned()).into());
+        }
+        if !file.curves.is_empty() {
+            let allowed = "own curves are for one wall: with two [[walls]] leave them out";
+            return Err(section.forbid("curves", allowed.to_owned()).into());
+        }
+    }
+    let sides = sides(section, &written, &positions)?;
+    let mut stops = Vec::new();
+    for ((checked, wall), side) in seen.into_iter().zip(sides) {
+        let (texts, places) =
+            (checked.map(|(text, _)| text.clone()), checked.map(|(_, place)| place.clone()));
+        // Each text is correct by itself.
+        let formulas = formulas(&texts, side, &file, stop).map_err(|error| DescriptionError::Value {
+            place: places.wall.clone(),
+            problem: error.problem,
+        })?;
+        let (mass_text, key) = wall.impact[2].clone();
+        let mass = mass(mass_text.as_ref(), &file, stop).map_err(|error| {
+            DescriptionError::in_expression(section, &key, mass_text.as_deref().unwrap_or_default(), &error)
+        })?;
+        if let Some(mass) = &mass {
+            let positive = |mu: f64| axes[1].range.iter().all(|eta| mass.evaluate(&[mu, *eta]) > 0.0);
+            if !axes[0].range.iter().all(|mu| positive(*mu)) {
+                return Err(section.forbid(&key, "it must be positive over the ranges".to_owned()).into());
+            }
+        }
+        stops.push(Seen { texts, places, side, mass_text, formulas, mass });
+    }
     if !forced {
+        let places = &stops[0].places;
         let problem = "nothing depends on the time t: only forced oscillators are analysed, in which the force or the wall recurs \
                        with the frequency of motion.frequency, as with A*cos(omega*t) in the force; self-excited motion has no \
                        phase";
-        return Err(DescriptionError::Value { place: places.force, problem: problem.to_owned() });
+        return Err(DescriptionError::Value { place: places.force.clone(), problem: problem.to_owned() });
     }
     for ((used, key), axis) in used.into_iter().zip(["primary.name", "secondary.name"]).zip(axes) {
         if !used {
@@ -123,23 +244,15 @@ pub(crate) fn description(section: &Section<'_>, stop: &Stop) -> Result<Descript
             return Err(section.forbid(key, allowed).into());
         }
     }
-    let middle = axes.map(|axis| axis.range[0] + 0.5 * (axis.range[1] - axis.range[0]));
-    let start = file.analysis.start.map(|start| formulas.wall.inside(start, 0.0, middle));
+    let wall = &stops[0].formulas.wall;
+    let start = file.analysis.start.map(|start| wall.inside(start, 0.0, middle));
     let diagram = |(written, number): (&WrittenDiagram, u32)| {
         diagram(written, axes, |name, allowed| section.forbid(&format!("diagrams[{number}].{name}"), allowed))
     };
     let diagrams = file.diagrams.iter().zip(1..).map(diagram).collect::<Result<_, _>>()?;
-    let text = file.impact.mass.as_deref().unwrap_or_default();
-    let mass =
-        mass(&file, stop).map_err(|error| DescriptionError::in_expression(section, MASS.0, text, &error))?;
-    if let Some(mass) = &mass {
-        let positive = |mu: f64| axes[1].range.iter().all(|eta| mass.evaluate(&[mu, *eta]) > 0.0);
-        if !axes[0].range.iter().all(|mu| positive(*mu)) {
-            return Err(section.forbid(MASS.0, "it must be positive over the ranges".to_owned()).into());
-        }
-    }
-    let without_mass =
-        |(written, _): &(&WrittenDiagram, u32)| written.ordinate.needs_mass() && mass.is_none();
+    let without_mass = |(written, _): &(&WrittenDiagram, u32)| {
+        written.ordinate.needs_mass() && stops.iter().any(|seen| seen.mass.is_none())
+    };
     if let Some((_, number)) = file.diagrams.iter().zip(1..).find(without_mass) {
         let allowed = "it needs the mass that hits the wall: write impact.mass, as mass = \"0.5\"".to_owned();
         return Err(section.forbid(&format!("diagrams[{number}].ordinate"), allowed).into());
@@ -156,8 +269,8 @@ pub(crate) fn description(section: &Section<'_>, stop: &Stop) -> Result<Descript
     };
     let curves = file.curves.iter().zip(1..).map(curve).collect::<Result<_, _>>()?;
     let (notes, units) = (Vec::new(), OnceLock::new());
-    let content = Content { file, formulas, texts, places, start, mass, curves, diagrams, notes, units };
-    Ok(Description(Arc::new(content)))
+    let content = Content { file, stops, start, curves, diagrams, notes, units };
+    Ok(Description(Arc::new(content), 0))
 }
 
 /// Rejects too many constants.

@@ -220,7 +220,7 @@ pub(crate) fn eigenvalues(multipliers: &Multipliers) -> Value {
 const ROUNDED: f64 = 1e4;
 
 fn point(point: &SpecialPoint, multipliers: Value) -> Value {
-    let SpecialPoint { kind, loops, n, secondary, primary } = point;
+    let SpecialPoint { kind, loops, n, secondary, primary, .. } = point;
     json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary, "multipliers": multipliers})
 }
 

@@ -34,6 +34,8 @@ pub struct View {
 
 /// The name of the file in messages.
 const FILE: &str = "oscillator.toml";
+/// Why an oscillator with two walls is not shown.
+const TWO_WALLS: &str = "there are two [[walls]], and the page shows oscillators with one: `grazing unfold` with --at and [[diagrams]] shows what motion between two walls comes to";
 /// The text that describes the paper's oscillator: its constants, ranges and loops, and its motion
 /// where it has to be integrated.
 pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
@@ -88,7 +90,11 @@ impl Model {
     }
 
     pub(crate) fn description(&self, view: Option<&View>, stop: &Stop) -> Result<Description, Mistake> {
-        self.read(FILE, view, stop)
+        let description = self.read::<Mistake>(FILE, view, stop)?;
+        match description.has_two_walls() {
+            true => Err(Mistake::new(TWO_WALLS)),
+            false => Ok(description),
+        }
     }
 
     /// The oscillator in the part of a view in which it is valid, or in the ranges of its file; and what is wrong

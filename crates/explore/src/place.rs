@@ -51,7 +51,9 @@ impl NearbyMotion {
             impacts.iter().map(|[velocity, phase]| [velocity / units.velocity(), *phase]).collect()
         };
         (few && counted && moderate).then(|| Nearby {
-            solutions: solutions.map(|(p, impacts)| (*p, without_dimensions(impacts))).collect(),
+            solutions: solutions
+                .map(|(p, impacts)| ((*p, Vec::new()), without_dimensions(impacts)))
+                .collect(),
             attractors: attractors
                 .map(|&(states, [position, velocity, phase])| {
                     // No motion begins beyond the wall.
@@ -134,7 +136,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     };
     let reached = reached(&found);
     let solution = |(solution, reached): (&Solution, &bool)| {
-        let Solution { loops, impacts, multipliers, admissible, orbit } = solution;
+        let Solution { loops, impacts, multipliers, admissible, orbit, .. } = solution;
         let impacts = impacts.iter().map(|[velocity, phase]| [velocity * units.velocity(), *phase]);
         json!({
             "p": loops,
@@ -147,7 +149,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         })
     };
     let attractor = |attractor: &Attractor| {
-        let Attractor { states: own_states, fate, exponent, flights: own, strikes, state } = attractor;
+        let Attractor { states: own_states, fate, exponent, flights: own, strikes, state, .. } = attractor;
         let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
         json!({
             "share": f64::from(*own_states) / f64::from(states),

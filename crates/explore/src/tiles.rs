@@ -82,7 +82,7 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
                 let here = of.oscillator.with_parameters(at);
                 // A place always has the same initial state, whatever was computed before.
                 let mut random = random(column, row);
-                let fate = LongOrbit::follow(&here, random_start(-1.0, &mut random), horizon).fate;
+                let fate = LongOrbit::follow(&here, random_start(&here, -1.0, &mut random), horizon).fate;
                 let rests = fate.rests > 0.0 || fate.kind == MotionKind::Resting;
                 json!([column, row, fate.loops(), fate.periods, fate.impacts, rests])
             });

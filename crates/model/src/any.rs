@@ -69,6 +69,8 @@ trait Erased: Send + Sync {
     fn flow_along(&self, order: usize, motion: &AnyMotion, from: State, duration: f64) -> FlowJet;
     fn reset(&self, order: usize, impact: OnWall) -> MapJet<OnWall, OnWall>;
     fn motion(&self, from: State) -> AnyMotion;
+    fn other_stop(&self) -> Option<AnyOscillator>;
+    fn gap(&self, phase: f64) -> [ParameterJet; 2];
 }
 
 impl<O: ImpactOscillator<Motion: 'static> + 'static> Erased for O {
@@ -113,6 +115,14 @@ impl<O: ImpactOscillator<Motion: 'static> + 'static> Erased for O {
     fn motion(&self, from: State) -> AnyMotion {
         AnyMotion::new(O::motion(self, from))
     }
+
+    fn other_stop(&self) -> Option<AnyOscillator> {
+        O::other_stop(self).map(AnyOscillator::new)
+    }
+
+    fn gap(&self, phase: f64) -> [ParameterJet; 2] {
+        O::gap(self, phase)
+    }
 }
 
 impl ImpactOscillator for AnyOscillator {
@@ -152,6 +162,14 @@ impl ImpactOscillator for AnyOscillator {
 
     fn motion(&self, from: State) -> AnyMotion {
         self.0.motion(from)
+    }
+
+    fn other_stop(&self) -> Option<Self> {
+        self.0.other_stop()
+    }
+
+    fn gap(&self, phase: f64) -> [ParameterJet; 2] {
+        self.0.gap(phase)
     }
 }
 

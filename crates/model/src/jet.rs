@@ -168,3 +168,10 @@ pub struct ParameterJet {
     /// Second derivatives.
     pub hessian: Matrix2<f64>,
 }
+
+impl ParameterJet {
+    /// The jet of a constant.
+    pub fn constant(value: f64) -> Self {
+        Self { value, gradient: Vector2::zeros(), hessian: Matrix2::zeros() }
+    }
+}

@@ -241,6 +241,34 @@ pub fn maximum_from_phase_zero<O: ImpactOscillator, const ORDER: usize>(
     land_on_section::<O, ORDER, _>(oscillator, from.at_phase_zero(), near, 0.0)
 }
 
+/// A map to a plane of constant phase, with its image as the oscillator's other stop sees it.
+pub fn across<A: Surface>(
+    oscillator: &impl ImpactOscillator,
+    jet: &MapJet<A, AtPhase>,
+    phase: f64,
+) -> MapJet<A, AtPhase> {
+    let mut seen = *jet;
+    seen.value.neg_mut();
+    seen.jacobian.neg_mut();
+    seen.hessians.iter_mut().for_each(|hessian| hessian.neg_mut());
+    for (component, gap) in oscillator.gap(phase).iter().enumerate() {
+        seen.value[component] -= gap.value;
+        for a in 0..2 {
+            seen.jacobian[(component, 2 + a)] -= gap.gradient[a];
+            (0..2).for_each(|b| seen.hessians[component][(2 + a, 2 + b)] -= gap.hessian[(a, b)]);
+        }
+    }
+    seen
+}
+
+/// The maximum of x near a time after a state.
+///
+/// # Errors
+/// There is no maximum of x near that time.
+pub fn maximum_near<O: ImpactOscillator>(oscillator: &O, from: State, near: f64) -> Result<f64, MapError> {
+    Ok(land_on_section::<O, 1, OnWall>(oscillator, from, near, 0.0)?.time)
+}
+
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
 #[inline]
 pub(crate) fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface>(

@@ -13,7 +13,8 @@ pub struct Flight<M> {
     /// Time at which the flight begins, counted from the start of the orbit; impacts may take time
     /// as well.
     pub start: f64,
-    /// State in which the flight begins, its phase reduced to [0, 2π).
+    /// State in which the flight begins, its phase reduced to [0, 2π); with two stops seen from the
+    /// first, as the motion is.
     pub from: State,
     /// The motion, with time counted from the start of the flight.
     pub motion: M,
@@ -21,6 +22,8 @@ pub struct Flight<M> {
     pub duration: f64,
     /// How the flight ends.
     pub end: FlightEnd,
+    /// The stop that is hit at its end, if there are two: 0 for that at x = 0, 1 for the other.
+    pub stop: usize,
     /// The rest at the wall that ends where the flight begins.
     pub rest: Option<Rest>,
 }
@@ -28,7 +31,7 @@ pub struct Flight<M> {
 /// How a flight ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FlightEnd {
-    /// An impact: the state on the incoming set, just before the reset law acts.
+    /// An impact: the state on the incoming set, just before the reset law acts, as its stop sees it.
     Impact(State),
     /// The orbit was followed for the whole requested time.
     TimeIsUp(State),
@@ -63,11 +66,18 @@ pub enum OrbitEnd {
 /// motion rests at the wall until the force turns, and the next flight begins from there. So does
 /// motion that begins at rest at the wall, and recoil without velocity.
 ///
+/// An oscillator with two stops is seen from each in turn: of the crossings of x = 0 in both views, that
+/// which comes first is the impact.
+///
 /// After the iterator has ended, [`end`](Self::end) gives the reason. Phases are reduced modulo 2π
 /// at every impact (eq:z).
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, O> {
     oscillator: &'a O,
+    /// The oscillator seen from its other stop.
+    other: Option<O>,
+    /// The stop from which the state is seen: that of the last impact.
+    stop: usize,
     state: State,
     time: f64,
     horizon: f64,
@@ -84,8 +94,25 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     ///
     /// A start on the incoming set (x = 0, y > 0) begins with its impact.
     pub fn new(oscillator: &'a O, from: State, horizon: f64, impact_limit: usize) -> Self {
+        Self::from_stop(oscillator, (0, from), horizon, impact_limit)
+    }
+
+    /// The orbit from a state as a stop sees it, which is at one of the stops or between them.
+    pub fn from_stop(
+        oscillator: &'a O,
+        (mut stop, mut from): (usize, State),
+        horizon: f64,
+        impact_limit: usize,
+    ) -> Self {
+        let other = oscillator.other_stop();
+        if other.is_some() && from.position < 0.0 {
+            let seen = if stop == 0 { oscillator } else { other.as_ref().unwrap_or(oscillator) }.across(from);
+            (stop, from) = if seen.position >= 0.0 { (1 - stop, seen) } else { (stop, from) };
+        }
         let mut orbit = Self {
             oscillator,
+            other,
+            stop,
             state: wrapped(from),
             time: 0.0,
             horizon,
@@ -102,6 +129,16 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
         orbit
     }
 
+    /// The oscillator seen from a stop.
+    fn seen_from(&self, stop: usize) -> &O {
+        if stop == 0 { self.oscillator } else { self.other.as_ref().unwrap_or(self.oscillator) }
+    }
+
+    /// The state as the first stop sees it.
+    fn from_the_first(&self, state: State) -> State {
+        if self.stop == 0 { state } else { self.seen_from(self.stop).across(state) }
+    }
+
     /// Why the orbit ended; `None` while it goes on.
     pub fn end(&self) -> Option<OrbitEnd> {
         self.end
@@ -115,13 +152,13 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     /// Follows the orbit to its end.
     pub fn finish(mut self) -> OrbitEnd {
         for _ in self.by_ref() {}
-        self.end.unwrap_or(OrbitEnd::TimeIsUp(self.state))
+        self.end.unwrap_or(OrbitEnd::TimeIsUp(self.from_the_first(self.state)))
     }
 
     fn reset(&mut self) {
         self.impacts += 1;
         let impact = OnWall::new(self.state.velocity, self.state.phase);
-        let recoil: State = self.oscillator.reset::<1>(impact).image().into();
+        let recoil: State = self.seen_from(self.stop).reset::<1>(impact).image().into();
         self.time += (recoil.phase - self.state.phase) / self.oscillator.forcing_frequency().value;
         self.state = wrapped(recoil);
         if self.impacts >= self.impact_limit {
@@ -129,7 +166,7 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
             return;
         }
         let slow = -SLOW_RECOIL < self.state.velocity && self.state.velocity < 0.0;
-        let accumulated = slow.then(|| accumulation(self.oscillator, self.state)).flatten();
+        let accumulated = slow.then(|| accumulation(self.seen_from(self.stop), self.state)).flatten();
         if let Some(accumulated) = &accumulated {
             self.time += accumulated.duration;
             self.state = wrapped(accumulated.state);
@@ -141,14 +178,16 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     fn come_to_rest(&mut self, accumulated: bool) {
         let State { position, velocity, phase } = self.state;
         let rests = position >= 0.0 && velocity == 0.0 && self.time < self.horizon;
-        if !rests || self.oscillator.acceleration(self.state) < 0.0 {
+        let oscillator = self.seen_from(self.stop);
+        if !rests || oscillator.acceleration(self.state) < 0.0 {
             return;
         }
-        let released = release(self.oscillator, phase);
+        let released = release(oscillator, phase);
         let frequency = self.oscillator.forcing_frequency().value;
         let duration = released.map_or(f64::INFINITY, |released| (released - phase) / frequency);
         let left = self.horizon - self.time;
-        let rest = Rest { start: self.time, phase, duration: duration.min(left), accumulated };
+        let (start, stop) = (self.time, self.stop);
+        let rest = Rest { start, phase, duration: duration.min(left), accumulated, stop };
         match released {
             Some(released) if duration < left => {
                 self.time += duration;
@@ -167,7 +206,8 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
             let there = motion.at(clear);
             if there.position < -CLEAR_OF_WALL {
                 let phase = self.state.phase + self.oscillator.forcing_frequency().value * clear;
-                let crossing = self.oscillator.motion(there.state(phase)).first_crossing(horizon - clear)?;
+                let crossing =
+                    self.seen_from(self.stop).motion(there.state(phase)).first_crossing(horizon - clear)?;
                 return Some(Crossing { time: clear + crossing.time, ..crossing });
             }
             if there.position > CLEAR_OF_WALL {
@@ -186,31 +226,42 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
         if self.end.is_some() {
             return None;
         }
-        let (start, from, rest) = (self.time, self.state, self.rest.take());
+        let (start, state, rest) = (self.time, self.state, self.rest.take());
+        let from = self.from_the_first(state);
         let left = self.horizon - start;
         if left < 0.0 {
             // The time was up during an impact.
             self.end = Some(OrbitEnd::TimeIsUp(from));
             return None;
         }
-        let motion = self.oscillator.motion(from);
-        let leaves = from.position >= 0.0 && from.velocity == 0.0;
-        let crossing = if leaves { self.return_to_wall(&motion, left) } else { motion.first_crossing(left) };
+        let here = self.seen_from(self.stop);
+        let mut motion = here.motion(state);
+        let leaves = state.position >= 0.0 && state.velocity == 0.0;
+        let mut crossing =
+            if leaves { self.return_to_wall(&motion, left) } else { motion.first_crossing(left) };
+        let mut stop = self.stop;
+        if self.other.is_some() {
+            let across = self.seen_from(1 - stop).motion(here.across(state));
+            let until = crossing.map_or(left, |crossing| crossing.time);
+            let met = across.first_crossing(until);
+            motion = if stop == 0 { motion } else { across };
+            (stop, crossing) = met.map_or((stop, crossing), |met| (1 - stop, Some(met)));
+        }
         let duration = crossing.map_or(left, |crossing| crossing.time);
         let phase = from.phase + self.oscillator.forcing_frequency().value * duration;
         self.time += duration;
         let end = if let Some(crossing) = crossing {
             let impact = State::on_wall(crossing.velocity, phase);
-            self.state = impact;
+            (self.state, self.stop) = (impact, stop);
             self.reset();
             FlightEnd::Impact(impact)
         } else {
             let last = motion.at(duration).state(phase);
-            self.state = last;
+            (self.state, self.stop) = (last, 0);
             self.end = Some(OrbitEnd::TimeIsUp(last));
             FlightEnd::TimeIsUp(last)
         };
-        Some(Flight { start, from, motion, duration, end, rest })
+        Some(Flight { start, from, motion, duration, end, stop, rest })
     }
 }
 

@@ -54,6 +54,24 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// derivatives up to `ORDER`.
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall>;
 
+    /// The oscillator seen from its other stop, if it has two: that one stands at x = 0 then, and
+    /// motion takes place in x ≤ 0 as before. The other stop of what is returned is this one.
+    fn other_stop(&self) -> Option<Self> {
+        None
+    }
+
+    /// The distance D > 0 between the stops and its rate Ḋ at a phase of the forcing, with their
+    /// derivatives in μ and η at this phase; infinite and zero for one stop.
+    fn gap(&self, _phase: f64) -> [ParameterJet; 2] {
+        [f64::INFINITY, 0.0].map(ParameterJet::constant)
+    }
+
+    /// The state as it is seen from the other stop: x and y are −D − x and −Ḋ − y there.
+    fn across(&self, state: State) -> State {
+        let [gap, rate] = self.gap(state.phase);
+        State { position: -gap.value - state.position, velocity: -rate.value - state.velocity, ..state }
+    }
+
     /// The motion that starts in a state, the wall ignored.
     fn motion(&self, from: State) -> Self::Motion;
 

@@ -18,6 +18,8 @@ pub struct Rest {
     pub duration: f64,
     /// Whether infinitely many impacts accumulate where it begins.
     pub accumulated: bool,
+    /// The stop at which the motion rests, if there are two: 0 for that at x = 0, 1 for the other.
+    pub stop: usize,
 }
 
 /// Number of phases between which the least force at the wall is bracketed, and of steps by which it

@@ -75,6 +75,8 @@ columns! {
     LOOPS = "p", "p", "1";
     /// number of impacts of the solution in p forcing periods; 0: non-impacting, 1: MPS
     SOLUTION_IMPACTS = "impacts", "K", "1";
+    /// wall that is hit, from 1 in the order of the file; 0: none. Only with two walls; impact velocity and phase are those that it sees
+    WALL = "{wall}", "", "1";
     /// integer n of the resonance: in one forcing period, neighbouring motion makes n half-turns (p = 1) or n whole turns (p ≥ 2); for the paper's oscillator, ω₁/ω =
     /// n/2 for p = 1 and n + 1/(2p) for p ≥ 2. A SN or PD curve has the n of the resonance that it leaves, in the window or
     /// beyond it; a GZ curve or a point that of the curves that end there, a region the greatest of those on its border; 0 without a resonance of the same p

@@ -68,6 +68,8 @@ pub struct Names {
     units: UnitNames,
     /// Names and symbols of the constants that vary in a family, the last one last.
     varied: Vec<[String; 2]>,
+    /// Whether motion takes place between two walls, so that tables say which is hit.
+    two_walls: bool,
 }
 
 /// The names of units, as far as they are known.
@@ -126,7 +128,14 @@ impl Names {
             symbols,
             units: UnitNames::default(),
             varied: Vec::new(),
+            two_walls: false,
         }
+    }
+
+    /// Says whether motion takes place between two walls; then tables have a column for the one that is hit.
+    #[must_use]
+    pub fn between_walls(self, two_walls: bool) -> Self {
+        Self { two_walls, ..self }
     }
 
     /// Adds the names of the units.
@@ -146,9 +155,11 @@ impl Names {
     /// parameter.
     #[must_use]
     pub fn swapped(self) -> Self {
-        let Self { primary, secondary, symbols: [first, at_grazing, second], units, varied } = self;
+        let Self { primary, secondary, symbols: [first, at_grazing, second], units, varied, two_walls } =
+            self;
         let units = UnitNames { primary: units.secondary, secondary: units.primary, ..units };
-        Self { primary: secondary, secondary: primary, symbols: [second, at_grazing, first], units, varied }
+        let symbols = [second, at_grazing, first];
+        Self { primary: secondary, secondary: primary, symbols, units, varied, two_walls }
     }
 
     /// The constants that vary, in label markup.
@@ -242,6 +253,7 @@ impl Names {
     /// the last places are filled and the others are empty.
     pub fn put_into(&self, text: &str) -> String {
         let text = text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary);
+        let text = text.replace("{wall}", if self.two_walls { "wall" } else { "" });
         self.varied_put_into(text, 0)
     }
 

@@ -24,6 +24,7 @@ rows! {
         place: u32 = PLACE,
         loops: u32 = LOOPS,
         impacts: u32 = SOLUTION_IMPACTS,
+        wall: u32 = WALL,
         impact_velocity: f64 = IMPACT_VELOCITY,
         impact_phase: f64 = PHASE_OF_IMPACT,
         trace: f64 = TRACE,
@@ -46,6 +47,7 @@ rows! {
     PlaceImpact {
         place: u32 = PLACE,
         attractor: u32 = ATTRACTOR,
+        wall: u32 = WALL,
         impact_phase: f64 = PHASE_OF_IMPACT,
         impact_velocity: f64 = IMPACT_VELOCITY,
     }
@@ -70,6 +72,7 @@ rows! {
     /// An impact of motion from a given state.
     SimulatedImpact {
         time: f64 = TIME_AT_PLACE,
+        wall: u32 = WALL,
         impact_phase: f64 = PHASE_OF_IMPACT,
         impact_velocity: f64 = IMPACT_VELOCITY,
     }

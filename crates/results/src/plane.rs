@@ -37,6 +37,7 @@ rows! {
     PlanePoint {
         kind: Bifurcation = BIFURCATION,
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -73,6 +74,7 @@ rows! {
     SpecialPoint {
         kind: CodimensionTwo = CODIMENSION_TWO,
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -83,6 +85,7 @@ rows! {
         region: u32 = REGION,
         kind: RegionKind = REGION_KIND,
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,

@@ -6,8 +6,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
-use grazing_model::AnyOscillator;
 use grazing_model::smooth::Purpose;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use rayon::prelude::*;
 
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
@@ -63,6 +63,8 @@ pub struct Diagram {
     pub scope: Scope,
     /// The oscillator, whose own parameters do not matter.
     pub oscillator: AnyOscillator,
+    /// The number of the wall from which it is seen, 1 or 2, if there are two; 0 otherwise.
+    pub wall: u32,
     /// The pieces of the curve of grazing bifurcations of the non-impacting solution.
     pub grazing: Vec<GrazingCurve>,
     /// Grazing curves of motion without impacts over two forcing periods, four, and so on, as far
@@ -193,6 +195,7 @@ impl Diagram {
         let mut diagram = Self {
             scope: scope.clone(),
             oscillator: oscillator.clone(),
+            wall: u32::from(oscillator.other_stop().is_some()),
             grazing,
             doubled,
             no_grazing,

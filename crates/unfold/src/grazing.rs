@@ -198,6 +198,15 @@ impl HighestPoint {
             .is_none_or(|maximum| maximum.position <= self.height + PeriodicSolution::TOUCH)
     }
 
+    /// Whether the motion does not reach the other stop, if there are two.
+    fn is_clear_of_other_stop(&self, oscillator: &AnyOscillator) -> bool {
+        oscillator.other_stop().is_none_or(|other| {
+            let motion = other.motion(oscillator.across(State::at_rest(self.height, self.phase)));
+            let highest = motion.highest_maximum(1.25 * oscillator.forcing_period());
+            highest.is_none_or(|maximum| maximum.position <= PeriodicSolution::TOUCH)
+        })
+    }
+
     /// The point at which a grazing orbit touches the wall.
     fn of(orbit: &GrazingOrbit) -> Self {
         Self { height: 0.0, phase: orbit.phase(), parameters: orbit.oscillator().parameters() }
@@ -358,7 +367,10 @@ impl GrazingEquations<'_> {
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState> {
         let mut orbit = self.orbit(point)?;
         let admissible = |orbit: &GrazingOrbit| match orbit.impacts() {
-            [] => HighestPoint::of(orbit).is_highest(orbit.oscillator()),
+            [] => {
+                let (top, oscillator) = (HighestPoint::of(orbit), orbit.oscillator());
+                top.is_highest(oscillator) && top.is_clear_of_other_stop(oscillator)
+            }
             _ => orbit.ceiling() <= PeriodicSolution::TOUCH,
         };
         // In wide ranges the last digits of a fraction may appear as a difference in the next

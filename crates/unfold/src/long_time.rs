@@ -14,19 +14,22 @@ mod samples;
 
 use core::f64::consts::TAU;
 
-use grazing_model::State;
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-pub use cycle::{Cycle, same_impact};
+pub use cycle::{Cycle, Strike, same_impact};
 pub use exponent::Exponent;
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
 pub(crate) use samples::sampled_flight;
 pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
 
-/// A random point of Π: x uniform between `lowest` and the wall, the phase uniform.
-pub fn random_start(lowest: f64, random: &mut Pcg64) -> State {
-    State::at_rest(lowest * uniform(random), TAU * uniform(random))
+/// A random point of Π: x uniform between `lowest` and the wall, or between both stops if there are two;
+/// the phase uniform.
+pub fn random_start(oscillator: &AnyOscillator, lowest: f64, random: &mut Pcg64) -> State {
+    let [share, phase] = [uniform(random), TAU * uniform(random)];
+    let [gap, _] = oscillator.gap(phase);
+    State::at_rest(lowest.max(-gap.value) * share, phase)
 }
 
 /// A number uniform in [0, 1), with 53 random bits.

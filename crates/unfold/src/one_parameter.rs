@@ -18,7 +18,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Curve;
 use grazing_continuation::mps::{Formulation, LoopEquations};
-use grazing_model::AnyOscillator;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::Frame;
 use grazing_results::branches::{AttractorPoint, BranchBifurcation, DiagramRow, OneParameter};
 use grazing_results::readings::Ordinate;
@@ -126,7 +126,8 @@ impl Cut {
             true => (scope.exchanged(), oriented::exchanged(curves)),
             false => (scope.clone(), curves.to_vec()),
         };
-        progress.begin(BRANCHES, scope.loops.len() as u64 + 1);
+        let views = if oscillator.other_stop().is_some() { 2 } else { 1 };
+        progress.begin(BRANCHES, views * scope.loops.len() as u64 + 1);
         let share = (line.range[1] - line.range[0]) / scope.window.widths()[0];
         let control = StepControl { longest: (STEP * share).max(LEAST_STEP), ..FREE_STEPS };
         let equations = non_impacting::equations(&oscillator, scope.window);
@@ -144,6 +145,21 @@ impl Cut {
             .map(|curve| Branch { equations: slicer.equations.clone(), curve })
             .collect();
         branches.extend(mps_branches(&oscillator, &scope, &curves, line.at, &grazing, progress));
+        if let Some(other) = oscillator.other_stop() {
+            // The start of the search is seen from the first stop.
+            let scope = Scope { start: None, ..scope.clone() };
+            let equations = non_impacting::equations(&other, scope.window);
+            let slicer = Slicer::new(equations, scope.window, control);
+            let motion = non_impacting::motion(&other, &scope, &slicer, line.at, &POSITIONS, &HEIGHTS);
+            let grazing: Vec<[f64; 2]> =
+                motion.grazing.iter().map(|orbit| [orbit.phase(), orbit.primary()]).collect();
+            let seen = mps_branches(&other, &scope, &[], line.at, &grazing, progress).into_iter();
+            branches.extend(seen.map(|Branch { equations, curve }| {
+                let loops = equations.loops();
+                let equations = LoopEquations::new(oscillator.clone(), loops, equations.formulation());
+                Branch { equations: equations.at_stops([1]), curve }
+            }));
+        }
         progress.end(BRANCHES);
         let found = Self { oscillator, scope, line, branches };
         (!progress.stopped()).then_some(found)

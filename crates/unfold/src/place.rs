@@ -15,11 +15,12 @@ use self::basins::basins;
 use self::outcome::{Known, Outcome, each, long_orbit};
 use crate::Scope;
 use crate::long_time::{
-    Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled,
+    Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, Strike, random_start, same_impact, sampled,
     sampled_flight, sampled_solution, time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
+pub use crate::settled::Kind;
 use crate::settled::{Recurring, Through, equations, solution};
 use crate::slices::passing;
 use crate::tolerances::BETWEEN_ORBITS;
@@ -32,6 +33,8 @@ pub struct Solution {
     /// Velocities and phases (y, z) of the impacts in the order of time, the slowest first; phases are not
     /// reduced.
     pub impacts: Vec<[f64; 2]>,
+    /// The stops of these impacts: 0 for that at x = 0, 1 for the other, if there are two.
+    pub stops: Vec<usize>,
     /// The multipliers of the solution.
     pub multipliers: Multipliers,
     /// Whether no part of the solution except its impact lies beyond the wall.
@@ -54,6 +57,8 @@ pub struct Attractor {
     pub flights: Vec<Vec<[f64; 3]>>,
     /// Phase, in [0, 2π), and velocity of the impacts.
     pub strikes: Vec<[f64; 2]>,
+    /// The stops of these impacts: 0 for that at x = 0, 1 for the other, if there are two.
+    pub stops: Vec<usize>,
     /// A state on the attractor, from which it can be followed to a nearby place.
     pub state: State,
 }
@@ -61,8 +66,8 @@ pub struct Attractor {
 /// The solutions and attractors found at a nearby place.
 #[derive(Clone, Debug)]
 pub struct Nearby {
-    /// The numbers of loops p of solutions, with velocities and phases of their impacts.
-    pub solutions: Vec<(u32, Vec<[f64; 2]>)>,
+    /// The kinds of solutions, with velocities and phases of their impacts.
+    pub solutions: Vec<(Kind, Vec<[f64; 2]>)>,
     /// States on attractors, and the number of initial states that approach each.
     pub attractors: Vec<(u32, State)>,
 }
@@ -127,6 +132,9 @@ const MOTION: &str = "motion on the attractors";
 /// Impact velocity below which MPSs are not distinguished from grazing.
 const SLOWEST: f64 = BETWEEN_ORBITS * search::USUAL_VELOCITY;
 
+/// The kind of motion without impacts.
+const FREE: Kind = (0, Vec::new());
+
 /// The most impacts of a solution whose branch is followed.
 const MOST_IMPACTS: usize = 8;
 
@@ -135,8 +143,15 @@ const FOLLOWED: Horizon = Horizon::drifting(100, 32);
 
 impl Solution {
     fn of(equations: &LoopEquations, point: &Unknowns) -> Self {
+        let slowest = if equations.has_impacts() { point.lowest_velocity().0 } else { 0 };
+        let stops: Vec<usize> = (0..point.impacts()).map(|index| equations.stop(index + slowest)).collect();
+        let equations = &if equations.stops().is_empty() {
+            equations.clone()
+        } else {
+            equations.at_stops(stops.iter().copied())
+        };
         let point = &match equations.has_impacts() {
-            true => point.beginning_with(point.lowest_velocity().0, equations.loops()),
+            true => point.beginning_with(slowest, equations.loops()),
             false => point.clone(),
         };
         let solution = equations.solution(point);
@@ -145,6 +160,7 @@ impl Solution {
         Self {
             loops: equations.loops(),
             impacts: (0..solution.impacts()).map(|index| impact_of(point, index).into()).collect(),
+            stops,
             multipliers: solution.multipliers,
             admissible: solution.admissible(),
             orbit: sampled_solution(equations, point, begin),
@@ -217,7 +233,10 @@ impl Attractor {
                     .first()
                     .map(begin)
                     .map_or(0.0, |(start, phase)| start - time_of_phase(phase, period));
-                shown.iter().map(|flight| sampled_flight(flight, flight.start - began, period)).collect()
+                shown
+                    .iter()
+                    .map(|flight| sampled_flight(oscillator, flight, flight.start - began, period))
+                    .collect()
             }
         };
         let free = orbit.at_phase_zero(oscillator);
@@ -226,7 +245,12 @@ impl Attractor {
             fate: orbit.fate,
             exponent: orbit.exponent(oscillator),
             flights,
-            strikes: orbit.impacts.iter().map(|impact| [turned(impact[1]), impact[0]]).collect(),
+            strikes: orbit
+                .impacts
+                .iter()
+                .map(|&Strike { impact, .. }| [turned(impact[1]), impact[0]])
+                .collect(),
+            stops: orbit.impacts.iter().map(|strike| strike.stop).collect(),
             state: free.or(orbit.flights.last().map(|flight| flight.from)).unwrap_or(start),
         }
     }
@@ -245,12 +269,17 @@ impl Place {
     ) -> Option<Self> {
         let start = |state| {
             let mut random = Pcg64::new(u128::from(starts.seed), u128::from(state));
-            (1, random_start(starts.lowest, &mut random))
+            (1, random_start(oscillator, starts.lowest, &mut random))
         };
         let states: Vec<(u32, State)> = (0..starts.states).map(start).collect();
         let lattice: Vec<State> = starts.on_lattice().collect();
         let found = |settled: &[Recurring]| {
-            let mut found = search::at(oscillator, &scope.loops, SLOWEST, progress);
+            let at = |seen: &AnyOscillator, stops: Vec<usize>| {
+                let found = search::at(seen, &scope.loops, SLOWEST, progress).into_iter();
+                found.map(move |(loops, point)| ((loops, stops.clone()), point)).collect::<Vec<_>>()
+            };
+            let mut found = at(oscillator, Vec::new());
+            found.extend(oscillator.other_stop().into_iter().flat_map(|other| at(&other, vec![1])));
             found.extend(on_branches(oscillator, scope, settled));
             found
         };
@@ -262,13 +291,13 @@ impl Place {
     pub fn followed(oscillator: &AnyOscillator, nearby: &Nearby, progress: &dyn Progress) -> Option<Self> {
         let found = |_: &[Recurring]| {
             let mut found: Vec<Recurring> = Vec::new();
-            for (loops, impacts) in &nearby.solutions {
+            for (kind, impacts) in &nearby.solutions {
                 let impacts: Vec<OnWall> = impacts.iter().map(|&[y, z]| OnWall::new(y, z)).collect();
                 let near = Unknowns::of_impacts(&impacts, oscillator.parameters());
-                let here = solved(oscillator, *loops, &near);
+                let here = solved(oscillator, kind, &near);
                 let new =
-                    here.filter(|here| here.lowest_velocity().1 > SLOWEST && !is_known(&found, *loops, here));
-                found.extend(new.map(|here| (*loops, here)));
+                    here.filter(|here| here.lowest_velocity().1 > SLOWEST && !is_known(&found, kind, here));
+                found.extend(new.map(|here| (kind.clone(), here)));
             }
             found
         };
@@ -296,15 +325,15 @@ impl Place {
         let free = non_impacting(oscillator, outcomes());
         let settled: Vec<Recurring> = outcomes().filter_map(|one| one.near.clone()).collect();
         let mut found: Vec<Recurring> =
-            free.into_iter().map(|point| (0, point)).chain(found(&settled)).collect();
+            free.into_iter().map(|point| (FREE, point)).chain(found(&settled)).collect();
         // A periodic attractor is a solution as well, even if no other search has found it.
-        for (loops, near) in settled {
-            if !is_known(&found, loops, &near) {
-                found.extend(solved(oscillator, loops, &near).map(|point| (loops, point)));
+        for (kind, near) in settled {
+            if !is_known(&found, &kind, &near) {
+                found.extend(solved(oscillator, &kind, &near).map(|point| (kind, point)));
             }
         }
-        found.sort_by_key(|(loops, point)| (point.impacts(), *loops));
-        let solution = |(loops, point)| Solution::of(&equations(oscillator, loops), &point);
+        found.sort_by_key(|(kind, point)| (point.impacts(), kind.clone()));
+        let solution = |(kind, point)| Solution::of(&equations(oscillator, &kind), &point);
         let solutions = found.into_iter().map(solution).collect();
         progress.step(SOLUTIONS);
         progress.end(SOLUTIONS);
@@ -332,7 +361,9 @@ fn non_impacting<'a>(
     let mut found: Vec<Unknowns> = Vec::new();
     for [x, y] in starts.chain(rest) {
         let [primary, secondary] = oscillator.parameters();
-        let Some(orbit) = solved(oscillator, 0, &Unknowns::new(x, y, primary, secondary)) else { continue };
+        let Some(orbit) = solved(oscillator, &FREE, &Unknowns::new(x, y, primary, secondary)) else {
+            continue;
+        };
         if !found.iter().any(|known| (known - &orbit).norm() < BETWEEN_ORBITS) {
             found.push(orbit);
         }
@@ -345,19 +376,19 @@ fn on_branches(oscillator: &AnyOscillator, scope: &Scope, settled: &[Recurring])
     let here @ [primary, secondary] = oscillator.parameters();
     let most = MOST_IMPACTS;
     let starts = settled.iter().filter(|(_, near)| (2..=most).contains(&near.impacts()));
-    let starts = starts.filter_map(|(periods, near)| Some((*periods, solved(oscillator, *periods, near)?)));
+    let starts = starts.filter_map(|(kind, near)| Some((kind.clone(), solved(oscillator, kind, near)?)));
     let starts: Vec<Recurring> = starts.collect();
     let through = Through { oscillator, window: scope.window, secondary, most };
     let mut found: Vec<Recurring> = Vec::new();
     for (equations, branch) in through.branches(&starts, &[]) {
         for place in passing(&branch, unknown::PRIMARY, primary) {
-            let periods = equations.loops();
+            let kind = (equations.loops(), equations.stops().to_vec());
             let new = solution(&equations, &place, here).filter(|point| {
                 point.lowest_velocity().1 > SLOWEST
                     && !equations.recurs_sooner(point)
-                    && !is_known(&found, periods, point)
+                    && !is_known(&found, &kind, point)
             });
-            found.extend(new.map(|point| (periods, point)));
+            found.extend(new.map(|point| (kind.clone(), point)));
         }
     }
     found
@@ -370,15 +401,18 @@ fn impact_of(point: &Unknowns, index: usize) -> Vector2<f64> {
 }
 
 /// Whether a solution is among these, whichever of its impacts is the first.
-fn is_known(found: &[Recurring], loops: u32, one: &Unknowns) -> bool {
+fn is_known(found: &[Recurring], kind: &Kind, one: &Unknowns) -> bool {
     let first = impact_of(one, 0);
-    let alike = found.iter().filter(|(other, point)| (*other, point.impacts()) == (loops, one.impacts()));
+    let (_, stops) = kind;
+    let at_its_stop = |index: usize| stops.is_empty() || stops[index % stops.len()] == stops[0];
+    let alike = found.iter().filter(|(other, point)| (other, point.impacts()) == (kind, one.impacts()));
     alike.into_iter().any(|(_, point)| {
-        (0..point.impacts()).any(|index| same_impact(BETWEEN_ORBITS, &impact_of(point, index), &first))
+        let same = |index| same_impact(BETWEEN_ORBITS, &impact_of(point, index), &first);
+        (0..point.impacts()).any(|index| at_its_stop(index) && same(index))
     })
 }
 
 /// The solution near a point; for p = 0 the one whose position and velocity at phase zero are near.
-fn solved(oscillator: &AnyOscillator, loops: u32, near: &Unknowns) -> Option<Unknowns> {
-    solution(&equations(oscillator, loops), near, oscillator.parameters())
+fn solved(oscillator: &AnyOscillator, kind: &Kind, near: &Unknowns) -> Option<Unknowns> {
+    solution(&equations(oscillator, kind), near, oscillator.parameters())
 }

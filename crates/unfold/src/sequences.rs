@@ -234,7 +234,7 @@ fn along_row(diagram: &Diagram, level: f64, progress: &dyn Progress) -> Vec<(Num
         let [primary, _] = diagram.scope.window.parameters([f64::from(column) / f64::from(COLUMNS), 0.0]);
         let here = diagram.oscillator.with_parameters([primary, level]);
         let mut random = Pcg64::new(SEED, u128::from(column));
-        let fresh = (0..STARTS).map(|_| random_start(LOWEST, &mut random));
+        let fresh = (0..STARTS).map(|_| random_start(&here, LOWEST, &mut random));
         let starts: Vec<State> = beside.drain(..).chain(fresh).collect();
         for from in starts {
             let orbit = LongOrbit::follow(&here, from, HORIZON);
@@ -243,7 +243,8 @@ fn along_row(diagram: &Diagram, level: f64, progress: &dyn Progress) -> Vec<(Num
                 beside.push(cycle.from);
             }
             if cycle.impacts > 1
-                && let Some((periods, near)) = settled::near(&here, &orbit)
+                && let Some(((periods, stops), near)) = settled::near(&here, &orbit)
+                && stops.is_empty()
                 && let Some(solution) =
                     settled::solution(&diagram.equations(periods), &near, here.parameters())
             {

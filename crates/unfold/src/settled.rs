@@ -13,13 +13,22 @@ use grazing_model::{AnyOscillator, ImpactOscillator, OnWall};
 use crate::long_time::LongOrbit;
 use crate::slices::{Slice, Slicer};
 
-/// A number of forcing periods and, at one of its points or near it, a solution with impacts that recurs
-/// after as many.
-pub(crate) type Recurring = (u32, Unknowns);
+/// The number of forcing periods after which a solution recurs, and the stops that its impacts hit, in their
+/// order, over and over; none if all are at x = 0.
+pub type Kind = (u32, Vec<usize>);
 
-/// The equations of solutions that recur after so many forcing periods.
-pub(crate) fn equations(oscillator: &AnyOscillator, periods: u32) -> LoopEquations {
-    LoopEquations::new(oscillator.clone(), periods, Formulation::FixedPhase)
+/// A kind of solutions and, at one of its points or near it, one of them.
+pub(crate) type Recurring = (Kind, Unknowns);
+
+/// The equations of solutions of a kind.
+pub(crate) fn equations(oscillator: &AnyOscillator, (periods, stops): &Kind) -> LoopEquations {
+    let equations = LoopEquations::new(oscillator.clone(), *periods, Formulation::FixedPhase);
+    if stops.is_empty() { equations } else { equations.at_stops(stops.iter().copied()) }
+}
+
+/// The kind of the solutions of equations.
+fn kind(equations: &LoopEquations) -> Kind {
+    (equations.loops(), equations.stops().to_vec())
 }
 
 /// The impacts of the cycle on which an orbit has settled; `None` without impacts, and with rests at the
@@ -31,10 +40,19 @@ pub(crate) fn near(oscillator: &AnyOscillator, orbit: &LongOrbit) -> Option<Recu
     let (first, begin) = (struck.first()?, flights.first()?);
     let end = |index: usize| flights[index].start + flights[index].duration;
     // Phases are not reduced.
-    let phase = |index: usize| first[1] + frequency * (end(index) - (begin.start + begin.duration));
+    let phase = |index: usize| first.impact[1] + frequency * (end(index) - (begin.start + begin.duration));
     let impacts: Vec<OnWall> =
-        struck.iter().enumerate().map(|(index, impact)| OnWall::new(impact[0], phase(index))).collect();
-    Some((cycle.periods, Unknowns::of_impacts(&impacts, oscillator.parameters())))
+        struck.iter().enumerate().map(|(index, hit)| OnWall::new(hit.impact[0], phase(index))).collect();
+    let all = Unknowns::of_impacts(&impacts, oscillator.parameters());
+    let stops: Vec<usize> = struck.iter().map(|hit| hit.stop).collect();
+    if stops.iter().all(|stop| *stop == stops[0]) {
+        let stops = if stops[0] == 0 { Vec::new() } else { vec![stops[0]] };
+        return Some(((cycle.periods, stops), all));
+    }
+    // Of the ways to number the impacts, that whose stops come first in the order of words.
+    let numbered = |first: usize| [&stops[first..], &stops[..first]].concat();
+    let first = (0..stops.len()).min_by_key(|first| numbered(*first)).unwrap_or(0);
+    Some(((cycle.periods, numbered(first)), all.beginning_with(first, cycle.periods)))
 }
 
 /// The solution beside a point at the oscillator's own parameters.
@@ -61,44 +79,47 @@ impl Through<'_> {
         solutions: &[Recurring],
         known: &[(LoopEquations, Curve)],
     ) -> Vec<(LoopEquations, Curve)> {
-        let mut slices: BTreeMap<(usize, u32), Slice> = BTreeMap::new();
+        let mut slices: BTreeMap<(usize, Kind), Slice> = BTreeMap::new();
         let empty = || Slice::new(self.secondary, Vec::new());
-        for (periods, at) in solutions.iter().filter(|(_, at)| (2..=self.most).contains(&at.impacts())) {
-            let slice = slices.entry((at.impacts(), *periods)).or_insert_with(empty);
-            self.slicer(*periods).through(slice, core::iter::once(at.clone()));
+        for (kind, at) in solutions.iter().filter(|(_, at)| (2..=self.most).contains(&at.impacts())) {
+            let slice = slices.entry((at.impacts(), kind.clone())).or_insert_with(empty);
+            self.slicer(kind).through(slice, core::iter::once(at.clone()));
         }
         for impacts in 1..=self.most / 2 {
-            let mut doublings: Vec<(u32, Unknowns)> = Vec::new();
-            let own = slices.range((impacts, 0)..(impacts + 1, 0));
+            let mut doublings: Vec<Recurring> = Vec::new();
+            let none: Kind = (0, Vec::new());
+            let own = slices.range((impacts, none.clone())..(impacts + 1, none));
             let own =
-                own.flat_map(|((_, periods), slice)| slice.branches.iter().map(|curve| (*periods, curve)));
+                own.flat_map(|((_, kind), slice)| slice.branches.iter().map(|curve| (kind.clone(), curve)));
             let known = known.iter().filter(|(_, curve)| {
                 curve.points.first().is_some_and(|first| first.solution.impacts() == impacts)
             });
-            let known = known.map(|(equations, curve)| (equations.loops(), curve));
-            for (periods, curve) in own.chain(known) {
+            let known = known.map(|(equations, curve)| (kind(equations), curve));
+            for (kind, curve) in own.chain(known) {
                 let doubling = |event: &&Event| {
-                    Bifurcation::of(event.condition, periods) == Some(Bifurcation::PeriodDoubling)
+                    Bifurcation::of(event.condition, kind.0) == Some(Bifurcation::PeriodDoubling)
                         && event.solution.admissible()
                 };
                 let found = curve.events.iter().filter(doubling);
-                doublings.extend(found.map(|event| (periods, event.solution.unknowns.clone())));
+                doublings.extend(found.map(|event| (kind.clone(), event.solution.unknowns.clone())));
             }
-            for (periods, at) in doublings {
-                let halved = equations(self.oscillator, periods);
-                let slice = slices.entry((2 * impacts, 2 * periods)).or_insert_with(empty);
-                self.slicer(2 * periods).beginning_beside(slice, &halved, at);
+            for ((periods, stops), at) in doublings {
+                let doubled = (2 * periods, stops.clone());
+                let halved = equations(self.oscillator, &(periods, stops));
+                let slicer = self.slicer(&doubled);
+                let slice = slices.entry((2 * impacts, doubled)).or_insert_with(empty);
+                slicer.beginning_beside(slice, &halved, at);
             }
         }
-        let distinct = |((_, periods), slice): ((usize, u32), Slice)| {
-            let slicer = self.slicer(periods);
+        let distinct = |((_, kind), slice): ((usize, Kind), Slice)| {
+            let slicer = self.slicer(&kind);
             let branches = slicer.distinct(slice).into_iter();
             branches.map(|curve| (slicer.equations.clone(), curve)).collect::<Vec<_>>()
         };
         slices.into_iter().flat_map(distinct).collect()
     }
 
-    fn slicer(&self, periods: u32) -> Slicer {
-        Slicer::new(equations(self.oscillator, periods), self.window, StepControl::DRAWING)
+    fn slicer(&self, kind: &Kind) -> Slicer {
+        Slicer::new(equations(self.oscillator, kind), self.window, StepControl::DRAWING)
     }
 }

@@ -84,6 +84,14 @@ impl ImpactOscillator for OverPeriods {
         jet
     }
 
+    fn other_stop(&self) -> Option<Self> {
+        self.oscillator.other_stop().map(|other| self.with(other))
+    }
+
+    fn gap(&self, phase: f64) -> [ParameterJet; 2] {
+        self.oscillator.gap(self.periods * phase)
+    }
+
     fn motion(&self, from: State) -> AnyMotion {
         self.oscillator.motion(self.counted(from))
     }

@@ -248,7 +248,9 @@ impl<'a> Survey<'a> {
 
     fn explain_one(&mut self, event: &Event) {
         let Some(kind) = Bifurcation::of(event.condition, self.loops()) else { return };
-        if kind == Bifurcation::NonImpactingGrazing {
+        // Grazing of the other stop is a curve like others that bound solutions.
+        let at_other_stop = self.net.equations.is_nearest_to_other_stop(&event.solution);
+        if kind == Bifurcation::NonImpactingGrazing && !at_other_stop {
             let oscillator = self.net.equations.oscillator_at(&event.solution.unknowns);
             let [_, phase] = self.net.equations.impact(&event.solution);
             let orbit = GrazingOrbit::find(&oscillator, phase);

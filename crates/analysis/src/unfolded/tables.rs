@@ -16,6 +16,7 @@ use super::{AtResonance, CurveFinding, Curves, Unfolded};
 #[derive(Clone, Copy, Debug)]
 pub struct GrazingRow {
     arc: u32,
+    wall: u32,
     parameters: [f64; 2],
     phase: f64,
     point: GrazingPoint,
@@ -27,6 +28,7 @@ row! { GrazingRow, |row| {
     let (point, map) = (&row.point, &row.point.map);
 } [
     ARC = row.arc,
+    WALL = row.wall,
     SECONDARY = row.parameters[1],
     PRIMARY = row.parameters[0],
     GRAZING_PHASE = row.phase,
@@ -58,6 +60,7 @@ pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
         let turns = TAU * libm::round(first / TAU);
         rows.extend(curve.states.iter().map(|state| GrazingRow {
             arc,
+            wall: unfolded.diagram.wall,
             parameters: units.parameters(state.orbit.oscillator().parameters()),
             phase: state.orbit.phase() - turns,
             point: state.orbit.grazing_point().in_units(units),
@@ -72,6 +75,7 @@ pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
 #[derive(Clone, Copy, Debug)]
 pub struct GrazingLoopRow {
     pub(super) arc: u32,
+    pub(super) wall: u32,
     pub(super) parameters: [f64; 2],
     pub(super) point: ResonantPoint,
 }
@@ -88,6 +92,7 @@ row! { GrazingLoopRow, |row| {
 } [
     LOOPS = point.loops(),
     ARC = row.arc,
+    WALL = row.wall,
     SECONDARY = row.parameters[1],
     PRIMARY = row.parameters[0],
     A12 = map.a.m12,
@@ -108,18 +113,18 @@ pub(crate) fn slopes(point: &ResonantPoint) -> [f64; 2] {
 /// A resonance at which the theorem holds, with the results for its SN and PD curves, and c_2GZ as
 /// measured.
 #[derive(Clone, Debug)]
-pub struct CoefficientRow(AtResonance, Pair<CurveFinding>, f64);
+pub struct CoefficientRow(AtResonance, Pair<CurveFinding>, f64, u32);
 
 /// The resonances at which a theorem holds.
 pub(super) fn coefficients(unfolded: &Unfolded) -> Vec<CoefficientRow> {
     let row = |(at, curves): (&AtResonance, &Curves)| {
-        CoefficientRow(at.clone(), curves.findings, curves.doubled_grazing)
+        CoefficientRow(at.clone(), curves.findings, curves.doubled_grazing, unfolded.diagram.wall)
     };
     unfolded.unfolding().map(row).collect()
 }
 
 row! { CoefficientRow, |this| {
-    let CoefficientRow(row, findings, doubled_grazing) = this;
+    let CoefficientRow(row, findings, doubled_grazing, wall) = this;
     let point = &row.point;
     let [_, _, sigma] = point.limit_map().numbers();
     let stability = point.stability_coefficients();
@@ -129,6 +134,7 @@ row! { CoefficientRow, |this| {
     let [sn_side, pd_side] = findings.map(|known| known.simulated).into_array();
 } [
     LOOPS = row.loops,
+    WALL = *wall,
     RESONANCE_INDEX = row.n,
     SECONDARY_AT_RESONANCE = row.parameters[1],
     PRIMARY_AT_GRAZING = row.parameters[0],
@@ -168,6 +174,7 @@ row! { CoefficientRow, |this| {
 #[derive(Clone, Debug)]
 pub struct CheckedHypothesis {
     loops: u32,
+    wall: u32,
     n: u32,
     parameters: [f64; 2],
     hypothesis: Hypothesis,
@@ -175,6 +182,7 @@ pub struct CheckedHypothesis {
 
 row! { CheckedHypothesis, |row| {} [
     LOOPS = row.loops,
+    WALL = row.wall,
     RESONANCE_INDEX = row.n,
     SECONDARY = row.parameters[1],
     PRIMARY = row.parameters[0],
@@ -186,10 +194,16 @@ row! { CheckedHypothesis, |row| {} [
 
 /// The hypotheses of the theorem at every resonance, one by one.
 pub(super) fn hypotheses(unfolded: &Unfolded) -> Vec<CheckedHypothesis> {
+    let wall = unfolded.diagram.wall;
     let asked = |at: &AtResonance| {
         let AtResonance { loops, n, parameters, .. } = *at;
-        let checked =
-            |hypothesis: &Hypothesis| CheckedHypothesis { loops, n, parameters, hypothesis: *hypothesis };
+        let checked = |hypothesis: &Hypothesis| CheckedHypothesis {
+            loops,
+            wall,
+            n,
+            parameters,
+            hypothesis: *hypothesis,
+        };
         at.hypotheses.iter().map(checked).collect::<Vec<_>>()
     };
     unfolded.resonances.iter().flat_map(asked).collect()

@@ -51,6 +51,7 @@ impl Origin {
         });
         let settings = given.chain(varied).collect::<Result<Vec<_>, Failure>>()?;
         let description = Description::parse_with(&Text::new(&self.text, &settings), &self.file, stop)?;
+        oscillator::with_one_wall(Path::new(&self.file), &description, "unfold --vary")?;
         oscillator::with_loops(description, self.loops.as_deref())
     }
 

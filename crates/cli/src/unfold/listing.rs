@@ -45,7 +45,10 @@ pub(crate) fn oscillator(layout: Layout, description: &Description, file: &Path)
             "motion",
             format!("x'' = {} {} the wall, where v = x'", texts.force, description.wall().side().name()),
         ),
-        ("wall", format!("x = {}", texts.wall)),
+        (
+            "wall",
+            format!("x = {}{}", texts.wall, if description.has_two_walls() { "; it is wall 1" } else { "" }),
+        ),
         ("frequency", texts.frequency.clone()),
         (
             "impact",
@@ -58,7 +61,16 @@ pub(crate) fn oscillator(layout: Layout, description: &Description, file: &Path)
         ("loops", format!("p = {}", loops(description))),
     ];
     let notes = description.notes().iter().map(|note| ("note", note.clone()));
-    for (word, content) in lines.into_iter().chain(notes) {
+    let other = description.from_each_wall().skip(1).map(|seen| {
+        let texts = seen.texts();
+        let (side, wall) = (seen.wall().side().name(), &texts.wall);
+        let impact = format!("Phi = {}, Psi = {}", texts.restitution, texts.duration);
+        (
+            "wall 2",
+            format!("x = {wall} with the motion {side} it; {impact}; x and v in tables are seen from wall 1"),
+        )
+    });
+    for (word, content) in lines.into_iter().chain(other).chain(notes) {
         text.push_str(&layout.wrapped(&format!("  {word:11}"), &content));
     }
     text

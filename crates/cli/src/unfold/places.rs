@@ -75,6 +75,7 @@ mod tests {
             place: 1,
             loops,
             impacts: loops.min(1),
+            wall: 0,
             impact_velocity: 0.25,
             impact_phase: 0.0,
             trace: 0.5,

@@ -231,6 +231,7 @@ mod tests {
         let impact = |attractor| PlaceImpact {
             place: 1,
             attractor,
+            wall: 0,
             impact_phase: f64::from(attractor),
             impact_velocity: length,
         };

@@ -186,6 +186,7 @@ mod tests {
             diagram: 1,
             loops: 2,
             impacts: 1,
+            wall: 0,
             secondary: 0.855,
             primary,
             x,

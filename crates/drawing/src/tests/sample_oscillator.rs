@@ -79,6 +79,7 @@ pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<PlanePoint> {
         points.into_iter().map(move |(primary, secondary)| PlanePoint {
             kind,
             loops,
+            wall: 0,
             n,
             secondary,
             primary,
@@ -105,7 +106,7 @@ fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
             Bifurcation::Grazing => (CodimensionTwo::SaddleNodeGrazing, points[0]),
             _ => return None,
         };
-        Some(SpecialPoint { kind, loops: *loops, n: *n, secondary, primary })
+        Some(SpecialPoint { kind, loops: *loops, wall: 0, n: *n, secondary, primary })
     });
     ends.collect()
 }
@@ -114,8 +115,8 @@ fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
 /// of the grazing curve.
 fn region_rows(curves: &[SampleCurve], corners: [(f64, f64); 2]) -> Vec<RegionVertex> {
     let vertex = |region, kind, loops, (primary, secondary)| {
-        let (n, ring, reason) = (0, 0, String::new());
-        RegionVertex { region, kind, loops, n, secondary, primary, ring, reason }
+        let (wall, n, ring, reason) = (0, 0, 0, String::new());
+        RegionVertex { region, kind, loops, wall, n, secondary, primary, ring, reason }
     };
     let below = curves[0].4.iter().copied().chain(corners);
     let mut rows: Vec<_> = below.map(|spot| vertex(0, RegionKind::NonImpacting, 0, spot)).collect();

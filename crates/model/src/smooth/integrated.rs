@@ -26,6 +26,16 @@ impl<M: SmoothOscillator> Integrated<M> {
     }
 }
 
+/// The value with its derivatives in μ and η.
+fn in_parameters(jet: Jet<SECOND>) -> ParameterJet {
+    let columns = [variable::PRIMARY, variable::SECONDARY];
+    ParameterJet {
+        value: jet.value(),
+        gradient: Vector2::from_fn(|i, _| jet.first(columns[i])),
+        hessian: Matrix2::from_fn(|i, j| jet.second(columns[i], columns[j])),
+    }
+}
+
 impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
     type Motion = IntegratedMotion<M>;
 
@@ -47,13 +57,17 @@ impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
 
     fn forcing_frequency(&self) -> ParameterJet {
         let [mu, eta] = self.parameter_jets::<SECOND>();
-        let jet = self.model.forcing_frequency(mu, eta);
-        let columns = [variable::PRIMARY, variable::SECONDARY];
-        ParameterJet {
-            value: jet.value(),
-            gradient: Vector2::from_fn(|i, _| jet.first(columns[i])),
-            hessian: Matrix2::from_fn(|i, j| jet.second(columns[i], columns[j])),
-        }
+        in_parameters(self.model.forcing_frequency(mu, eta))
+    }
+
+    fn other_stop(&self) -> Option<Self> {
+        Some(Self { model: self.model.other_stop()?, ..self.clone() })
+    }
+
+    fn gap(&self, phase: f64) -> [ParameterJet; 2] {
+        let [mu, eta] = self.parameter_jets::<SECOND>();
+        let time = Jet::fixed(phase) / self.model.forcing_frequency(mu, eta);
+        self.model.gap(time, mu, eta).map(in_parameters)
     }
 
     fn acceleration(&self, state: State) -> f64 {

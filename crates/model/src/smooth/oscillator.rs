@@ -28,6 +28,17 @@ pub trait SmoothOscillator: Clone + Send + Sync {
 
     /// Ψ(y, z; μ, η): the phase that passes during an impact, divided by the impact velocity.
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S;
+
+    /// The oscillator seen from its other stop, if it has two: with u = −D − x for x, D being the
+    /// distance between the stops, and the force and reset law that hold there.
+    fn other_stop(&self) -> Option<Self> {
+        None
+    }
+
+    /// The distance D between the stops and its rate Ḋ at a time; infinite and zero for one stop.
+    fn gap<S: Scalar>(&self, _t: S, _mu: S, _eta: S) -> [S; 2] {
+        [f64::INFINITY, 0.0].map(S::constant)
+    }
 }
 
 /// A [`SmoothOscillator`] at parameters (μ, η), with its flow integrated.

@@ -149,13 +149,23 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
         self.model.impact_duration(y, z, mu, eta)
     }
+
+    fn other_stop(&self) -> Option<Self> {
+        self.model.other_stop().map(|model| self.with(model))
+    }
+
+    fn gap<S: Scalar>(&self, t: S, mu: S, eta: S) -> [S; 2] {
+        self.model.gap(t, mu, eta)
+    }
 }
 
-impl<M: ImpactOscillator<Motion: BoundedMotion>> Stoppable<M> {
+impl<M> Stoppable<M> {
     fn with(&self, model: M) -> Self {
         Self { model, stop: self.stop.clone() }
     }
+}
 
+impl<M: ImpactOscillator<Motion: BoundedMotion>> Stoppable<M> {
     /// The state in which a motion begins, NaN once the computation is cancelled.
     fn beginning(&self, from: State) -> State {
         if self.stop.is_asked() { State { position: f64::NAN, velocity: f64::NAN, ..from } } else { from }
@@ -220,6 +230,14 @@ impl<M: ImpactOscillator<Motion: BoundedMotion>> ImpactOscillator for Stoppable<
 
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
         self.model.reset::<ORDER>(impact)
+    }
+
+    fn other_stop(&self) -> Option<Self> {
+        self.model.other_stop().map(|model| self.with(model))
+    }
+
+    fn gap(&self, phase: f64) -> [ParameterJet; 2] {
+        self.model.gap(phase)
     }
 
     fn motion(&self, from: State) -> Self::Motion {

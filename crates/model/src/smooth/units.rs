@@ -231,6 +231,16 @@ impl<M: SmoothOscillator> SmoothOscillator for Dimensionless<M> {
         let [mu, eta] = self.own([mu, eta]);
         self.velocity(self.model.impact_duration(self.velocity(y), z, mu, eta))
     }
+
+    fn other_stop(&self) -> Option<Self> {
+        Some(Self { model: self.model.other_stop()?, ..self.clone() })
+    }
+
+    fn gap<S: Scalar>(&self, t: S, mu: S, eta: S) -> [S; 2] {
+        let [mu, eta] = self.own([mu, eta]);
+        let [gap, rate] = self.model.gap(t.scale(self.units.time), mu, eta);
+        [gap.scale(1.0 / self.units.length), rate.scale(1.0 / self.units.velocity())]
+    }
 }
 
 #[cfg(test)]

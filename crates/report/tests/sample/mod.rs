@@ -172,7 +172,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     }
     let units = UnitNames { primary: Some("N".to_owned()), ..UnitNames::default() };
     let names = Names::new("F_0", "A").with_units(units);
-    let point = |kind, primary, secondary| SpecialPoint { kind, loops: 1, n: 1, secondary, primary };
+    let point = |kind, primary, secondary| SpecialPoint { kind, loops: 1, wall: 0, n: 1, secondary, primary };
     let points =
         [point(CodimensionTwo::Resonance, 2.0, 0.0), point(CodimensionTwo::SaddleNodeGrazing, 4.0, 1.0)];
     drawn.tables = vec![Table::new("points", &names, &points)];

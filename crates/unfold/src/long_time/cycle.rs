@@ -3,9 +3,10 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::mps::Multipliers;
+use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd, Orbit};
-use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State, flow_variable};
+use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, OnWall, State, flow_variable};
 use nalgebra::{Matrix2, Vector2};
 
 use super::derivative::from_impact_to_impact;
@@ -29,12 +30,55 @@ const STEPS: u32 = 12;
 /// Last step of Newton's method.
 const SOLVED: f64 = 1e-11;
 
+/// An impact of an orbit, as the stop that it hits sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strike {
+    /// Velocity and phase (y, z).
+    pub impact: Vector2<f64>,
+    /// The stop: 0 for that at x = 0, 1 for the other, if there are two.
+    pub stop: usize,
+}
+
+impl Strike {
+    /// The impact at which a flight ends.
+    pub(crate) fn of<M>(flight: &Flight<M>) -> Option<Self> {
+        match flight.end {
+            FlightEnd::Impact(at) => {
+                Some(Self { impact: Vector2::new(at.velocity, at.phase), stop: flight.stop })
+            }
+            FlightEnd::TimeIsUp(_) => None,
+        }
+    }
+
+    /// Whether both are at one stop and differ by no more than `distance`, as for [`same_impact`].
+    pub(crate) fn is_like(&self, distance: f64, other: &Self) -> bool {
+        self.stop == other.stop && same_impact(distance, &self.impact, &other.impact)
+    }
+
+    /// The extremum x beyond its stop that motion would reach without it, as the first stop sees it, and its
+    /// phase; of two stops, the other has a minimum.
+    pub(crate) fn virtual_top(&self, oscillator: &AnyOscillator) -> Option<[f64; 2]> {
+        let other = oscillator.other_stop().filter(|_| self.stop == 1);
+        let impact = OnWall::new(self.impact[0], self.impact[1]);
+        let top = virtual_map::<_, 1>(other.as_ref().unwrap_or(oscillator), impact, None).ok()?.jet.image();
+        let x = other.map_or(top.position, |other| other.across(top.into()).position);
+        Some([x, top.phase])
+    }
+
+    /// The state at the impact, as its stop sees it.
+    fn state(&self) -> State {
+        State::on_wall(self.impact[0], self.impact[1])
+    }
+}
+
 /// A periodic solution that attracts, with impacts or without, and with rests at the wall or without.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycle {
     /// A state on the cycle: where it comes to rest at the wall, or else on the incoming set, before
-    /// an impact, if there is one.
+    /// an impact, if there is one; as the stop sees it, and without impacts the first.
     pub from: State,
+    /// The stop at which it is, if there are two.
+    pub stop: usize,
     /// The number of impacts on the cycle, without those that are left out where impacts accumulate; 0
     /// for motion without impacts.
     pub impacts: usize,
@@ -55,7 +99,7 @@ impl Cycle {
     pub(super) fn with_impacts(
         oscillator: &AnyOscillator,
         flights: &[Flight<AnyMotion>],
-        impacts: &[Vector2<f64>],
+        impacts: &[Strike],
     ) -> Option<Self> {
         let longest = flights.iter().map(|flight| flight.duration).sum();
         cycle_lengths(impacts).find_map(|count| {
@@ -66,15 +110,15 @@ impl Cycle {
 
     /// The cycle near these impacts with the same number of impacts, which takes no longer than
     /// `longest` once round.
-    fn beside(oscillator: &AnyOscillator, before: &[Vector2<f64>], longest: f64) -> Option<Self> {
-        let count = before.len();
-        let round = |impact| Round::of(oscillator, impact, count, longest);
-        let (from, Round { derivative, periods, .. }) = solved(*before.last()?, 1.0, round)?;
+    fn beside(oscillator: &AnyOscillator, before: &[Strike], longest: f64) -> Option<Self> {
+        let (count, last) = (before.len(), *before.last()?);
+        let round = |impact| Round::of(oscillator, Strike { impact, ..last }, count, longest);
+        let (from, Round { derivative, periods, .. }) = solved(last.impact, 1.0, round)?;
         // The last impact is that from which a round begins, and with which it ends.
         let on_cycle = round(from)?.impacts;
-        let beside = on_cycle.iter().zip(before).all(|(a, b)| same_impact(BETWEEN_ORBITS, a, b));
+        let beside = on_cycle.iter().zip(before).all(|(a, b)| a.is_like(BETWEEN_ORBITS, b));
         beside.then_some(())?;
-        let from = State::on_wall(from[0], from[1]);
+        let from = (State::on_wall(from[0], from[1]), last.stop);
         Self::without_rest(from, (count, periods), &derivative)
     }
 
@@ -104,47 +148,55 @@ impl Cycle {
             Some(Round { image: flow.value, derivative, periods, impacts: Vec::new() })
         };
         let (at, Round { derivative, .. }) = solved(last, period, round)?;
-        let clear =
-            oscillator.motion(state(at)).highest_maximum(duration).is_none_or(|top| top.position < 0.0);
+        let clear = |seen: &AnyOscillator, from: State| {
+            seen.motion(from).highest_maximum(duration).is_none_or(|top| top.position < 0.0)
+        };
+        let clear = clear(oscillator, state(at))
+            && oscillator.other_stop().is_none_or(|other| clear(&other, oscillator.across(state(at))));
         (clear && distance(&at, &last) < BETWEEN_ORBITS).then_some(())?;
-        Self::without_rest(state(at), (0, periods), &derivative)
+        Self::without_rest((state(at), 0), (0, periods), &derivative)
     }
 
     /// A cycle that does not rest, if it attracts.
     fn without_rest(
-        from: State,
+        (from, stop): (State, usize),
         (impacts, periods): (usize, u32),
         derivative: &Matrix2<f64>,
     ) -> Option<Self> {
         let multipliers = Multipliers { trace: derivative.trace(), determinant: derivative.determinant() };
-        let cycle = Self { from, impacts, rests: 0, accumulates: false, periods, multipliers };
+        let cycle = Self { from, stop, impacts, rests: 0, accumulates: false, periods, multipliers };
         multipliers.stable().then_some(cycle)
     }
 
-    /// The cycle of motion that the force releases from rest at the wall at a phase, if it releases it at
+    /// The cycle of motion that the force releases from rest at a stop at a phase, if it releases it at
     /// the same phase again within a time. There is none if a release a little later leads elsewhere: then
     /// rounding does, too.
-    pub(super) fn through_rest(oscillator: &AnyOscillator, phase: f64, longest: f64) -> Option<Self> {
-        let cycle = Self::after_release(oscillator, phase, longest)?;
-        let later = Self::after_release(oscillator, phase + LATER, longest)?;
+    pub(super) fn through_rest(
+        oscillator: &AnyOscillator,
+        (stop, phase): (usize, f64),
+        longest: f64,
+    ) -> Option<Self> {
+        let cycle = Self::after_release(oscillator, (stop, phase), longest)?;
+        let later = Self::after_release(oscillator, (stop, phase + LATER), longest)?;
         let late = libm::remainder(later.from.phase - cycle.from.phase, TAU);
         let alike =
             (cycle.rests, cycle.periods) == (later.rests, later.periods) && late.abs() < BETWEEN_ORBITS;
         alike.then_some(cycle)
     }
 
-    fn after_release(oscillator: &AnyOscillator, phase: f64, longest: f64) -> Option<Self> {
+    fn after_release(oscillator: &AnyOscillator, (stop, phase): (usize, f64), longest: f64) -> Option<Self> {
         let (mut impacts, mut rests, mut accumulates) = (0, 0, false);
-        for flight in Orbit::new(oscillator, State::on_wall(0.0, phase), longest, MOST_IMPACTS) {
+        let released = (stop, State::on_wall(0.0, phase));
+        for flight in Orbit::from_stop(oscillator, released, longest, MOST_IMPACTS) {
             // Rounding of the phase may let the motion rest for a moment at first.
             if let Some(rest) = flight.rest.filter(|rest| rest.start > 0.0) {
                 rests += 1;
                 accumulates |= rest.accumulated;
-                if is_same_phase(flight.from.phase, phase) {
+                if rest.stop == stop && is_same_phase(flight.from.phase, phase) {
                     let periods = libm::round(flight.start / oscillator.forcing_period()).max(1.0) as u32;
                     let from = State::on_wall(0.0, rest.phase);
                     let multipliers = Multipliers { trace: 0.0, determinant: 0.0 };
-                    return Some(Self { from, impacts, rests, accumulates, periods, multipliers });
+                    return Some(Self { from, stop, impacts, rests, accumulates, periods, multipliers });
                 }
             }
             impacts += usize::from(matches!(flight.end, FlightEnd::Impact(_)));
@@ -168,30 +220,31 @@ struct Round {
     derivative: Matrix2<f64>,
     periods: u32,
     /// The impacts on the way, the last of which is the image.
-    impacts: Vec<Vector2<f64>>,
+    impacts: Vec<Strike>,
 }
 
 impl Round {
     /// The round from an impact (y, z) to the impact with number `count` after it, whose phase is
     /// counted from that of the first, within the longest time.
-    fn of(oscillator: &AnyOscillator, from: Vector2<f64>, count: usize, longest: f64) -> Option<Self> {
-        let mut impact = State::on_wall(from[0], from[1]);
+    fn of(oscillator: &AnyOscillator, from: Strike, count: usize, longest: f64) -> Option<Self> {
+        let mut impact = from;
         let (mut derivative, mut time) = (Matrix2::identity(), 0.0);
         let mut impacts = Vec::with_capacity(count);
-        for flight in Orbit::new(oscillator, impact, longest, MOST_IMPACTS).take(count) {
-            let FlightEnd::Impact(next) = flight.end else { return None };
+        let start = (from.stop, from.state());
+        for flight in Orbit::from_stop(oscillator, start, longest, MOST_IMPACTS).take(count) {
+            let next = Strike::of(&flight)?;
             if flight.rest.is_some() {
                 return None;
             }
             derivative = from_impact_to_impact(oscillator, impact, &flight) * derivative;
             time = flight.start + flight.duration;
-            impacts.push(Vector2::new(next.velocity, next.phase));
+            impacts.push(next);
             impact = next;
         }
-        (impacts.len() == count).then_some(())?;
+        (impacts.len() == count && impact.stop == from.stop).then_some(())?;
         let periods = libm::round(time / oscillator.forcing_period()).max(1.0);
-        let turn = libm::remainder(impact.phase - from[1], TAU);
-        let image = Vector2::new(impact.velocity, from[1] + turn);
+        let turn = libm::remainder(impact.impact[1] - from.impact[1], TAU);
+        let image = Vector2::new(impact.impact[0], from.impact[1] + turn);
         Some(Self { image, derivative, periods: periods as u32, impacts })
     }
 }
@@ -219,9 +272,8 @@ fn solved(
 }
 
 /// The numbers of impacts after which impacts (y, z) nearly recur, in increasing order.
-pub(super) fn cycle_lengths(impacts: &[Vector2<f64>]) -> impl Iterator<Item = usize> {
-    let nearly =
-        |length: &usize| impacts.iter().zip(&impacts[*length..]).all(|(a, b)| same_impact(NEARLY, a, b));
+pub(super) fn cycle_lengths(impacts: &[Strike]) -> impl Iterator<Item = usize> {
+    let nearly = |length: &usize| impacts.iter().zip(&impacts[*length..]).all(|(a, b)| a.is_like(NEARLY, b));
     (1..=LONGEST_CYCLE.min(impacts.len() / 2)).filter(nearly)
 }
 

@@ -1,10 +1,9 @@
 //! The largest Lyapunov exponent of an orbit.
 
-use grazing_model::orbit::FlightEnd;
 use grazing_model::{AnyOscillator, ImpactOscillator, flow_variable};
 use nalgebra::{Matrix2, Vector2};
 
-use super::cycle::{MOST_PERIODS, state_at};
+use super::cycle::{MOST_PERIODS, Strike, state_at};
 use super::derivative::from_impact_to_impact;
 use super::orbit::{LongOrbit, MotionKind, Releases};
 
@@ -85,9 +84,7 @@ impl LongOrbit {
                 .flights
                 .windows(2)
                 .filter_map(|pair| {
-                    let (FlightEnd::Impact(impact), FlightEnd::Impact(_)) = (pair[0].end, pair[1].end) else {
-                        return None;
-                    };
+                    let (impact, _) = (Strike::of(&pair[0])?, Strike::of(&pair[1])?);
                     Some(stretch(from_impact_to_impact(oscillator, impact, &pair[1]), pair[1].duration))
                 })
                 .collect(),

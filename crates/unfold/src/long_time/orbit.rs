@@ -4,9 +4,8 @@ use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
-use nalgebra::Vector2;
 
-use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, cycle_lengths, is_same_phase, state_at};
+use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, Strike, cycle_lengths, is_same_phase, state_at};
 
 grazing_results::words! {
     /// The kind of long-term behaviour.
@@ -98,11 +97,12 @@ pub const LONGEST_TRANSIENT: u32 = 2_000;
 /// Number of flights that are shown of an orbit that does not recur.
 const SHOWN: usize = 40;
 
-/// The phases at which the force has released an orbit from rest at the wall: from the first that recurs
+/// The phases at which the force has released an orbit from rest at a stop: from the first that recurs
 /// on the motion recurs.
 #[derive(Default)]
 pub(super) struct Releases {
-    seen: Vec<f64>,
+    /// Stops and phases.
+    seen: Vec<(usize, f64)>,
     /// Whether motion from one release to the next amplifies rounding, so that nothing is known to recur.
     irregular: bool,
 }
@@ -115,12 +115,13 @@ impl Releases {
         flight: &Flight<AnyMotion>,
         longest: f64,
     ) -> Option<Cycle> {
-        let phase = flight.rest.filter(|_| !self.irregular).map(|_| flight.from.phase)?;
-        if !self.seen.iter().any(|other| is_same_phase(*other, phase)) {
-            self.seen.push(phase);
+        let rest = flight.rest.filter(|_| !self.irregular)?;
+        let release = (rest.stop, flight.from.phase);
+        if !self.seen.iter().any(|other| other.0 == release.0 && is_same_phase(other.1, release.1)) {
+            self.seen.push(release);
             return None;
         }
-        let cycle = Cycle::through_rest(oscillator, phase, longest);
+        let cycle = Cycle::through_rest(oscillator, release, longest);
         self.irregular = cycle.is_none();
         cycle
     }
@@ -135,8 +136,8 @@ pub struct LongOrbit {
     pub cycle: Option<Cycle>,
     /// The flights that begin after the transient.
     pub flights: Vec<Flight<AnyMotion>>,
-    /// The impacts (y, z) at which these end.
-    pub impacts: Vec<Vector2<f64>>,
+    /// The impacts at which these end.
+    pub impacts: Vec<Strike>,
     /// The last flight that begins in the transient.
     before: Option<Flight<AnyMotion>>,
     /// The state at the end of the time, unless the orbit came to rest at the wall for good or cannot be
@@ -179,7 +180,8 @@ impl LongOrbit {
     }
 
     pub(super) fn on_cycle(oscillator: &AnyOscillator, cycle: Cycle, [counted, followed]: [u32; 2]) -> Self {
-        let orbit = Self::after_transient(oscillator, cycle.from, [0, counted.max(cycle.periods)], None);
+        let from = (cycle.stop, cycle.from);
+        let orbit = Self::from_stop(oscillator, from, [0, counted.max(cycle.periods)], None);
         let impacts = if cycle.accumulates { f64::INFINITY } else { cycle.impacts as f64 };
         let fate = Fate {
             kind: if cycle.impacts == 0 { MotionKind::NonImpacting } else { MotionKind::Periodic },
@@ -195,13 +197,23 @@ impl LongOrbit {
     pub(super) fn after_transient(
         oscillator: &AnyOscillator,
         from: State,
+        times: [u32; 2],
+        releases: Option<&mut Releases>,
+    ) -> Self {
+        Self::from_stop(oscillator, (0, from), times, releases)
+    }
+
+    /// The same from a state as a stop sees it.
+    fn from_stop(
+        oscillator: &AnyOscillator,
+        from: (usize, State),
         [transient, counted]: [u32; 2],
         mut releases: Option<&mut Releases>,
     ) -> Self {
         let period = oscillator.forcing_period();
         let transient = f64::from(transient) * period;
         let horizon = transient + f64::from(counted) * period;
-        let mut orbit = Orbit::new(oscillator, from, horizon, MOST_IMPACTS);
+        let mut orbit = Orbit::from_stop(oscillator, from, horizon, MOST_IMPACTS);
         let (mut before, mut flights) = (None, Vec::new());
         let (mut cycle, mut end) = (None, None);
         for flight in orbit.by_ref() {
@@ -213,13 +225,15 @@ impl LongOrbit {
             }
             if flight.start >= 0.0 { flights.push(flight) } else { before = Some(flight) }
         }
-        let impacts: Vec<Vector2<f64>> = flights.iter().filter_map(impact).collect();
+        let impacts: Vec<Strike> = flights.iter().filter_map(Strike::of).collect();
         let (kind, end) = match end.or(orbit.end()) {
             Some(OrbitEnd::TimeIsUp(end)) if end.position.is_finite() => (MotionKind::Unsettled, Some(end)),
             Some(OrbitEnd::Resting { held: true, .. }) => (MotionKind::Resting, None),
             Some(OrbitEnd::Resting { rest, .. }) => {
                 let turned = oscillator.forcing_frequency().value * rest.duration;
-                (MotionKind::Unsettled, Some(State::on_wall(0.0, rest.phase + turned)))
+                let end = State::on_wall(0.0, rest.phase + turned);
+                let other = oscillator.other_stop().filter(|_| rest.stop == 1);
+                (MotionKind::Unsettled, Some(other.map_or(end, |other| other.across(end))))
             }
             _ => (MotionKind::Escaping, None),
         };
@@ -274,13 +288,5 @@ impl LongOrbit {
         let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));
         let period = oscillator.forcing_period();
         Some((state_at(oscillator, flight, (flight.duration - periods * period).max(0.0)), periods))
-    }
-}
-
-/// The impact (y, z) at which a flight ends.
-fn impact<M>(flight: &Flight<M>) -> Option<Vector2<f64>> {
-    match flight.end {
-        FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
-        FlightEnd::TimeIsUp(_) => None,
     }
 }

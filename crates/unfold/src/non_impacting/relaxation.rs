@@ -177,6 +177,9 @@ impl PeriodicMotion {
                     .iter()
                     .find(|event| event.index == index && event.condition == Condition::InteriorGrazing);
                 let near = located.map_or(&pair[0].solution, |event| &event.solution);
+                if equations.is_nearest_to_other_stop(near) {
+                    continue;
+                }
                 let [_, phase] = equations.impact(near);
                 let Ok(orbit) = GrazingOrbit::find(&equations.oscillator_at(&near.unknowns), phase) else {
                     self.pushed.push(Height::of(equations, near));

@@ -48,12 +48,19 @@ struct Meeting {
     place: Vector2<f64>,
     /// Velocity and phase of the impact with which the flight ends; NaN without impacts.
     impact: [f64; 2],
+    /// The number of the wall that is hit, from 1; 0 without impacts.
+    wall: u32,
 }
 
 impl Branch {
     /// The number of impacts of the solutions.
     pub fn impacts(&self) -> u32 {
         self.curve.points.first().map_or(0, |first| first.solution.impacts() as u32)
+    }
+
+    /// The number of the wall that an impact hits, from 1; 0 without impacts.
+    pub(super) fn wall(&self, impact: usize) -> u32 {
+        if self.equations.has_impacts() { self.equations.stop(impact) as u32 + 1 } else { 0 }
     }
 
     /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where they are unknown. All
@@ -70,11 +77,12 @@ impl Branch {
                     let touches = at.event.is_some_and(|event| event.condition == Condition::InteriorGrazing);
                     let x = if touches { 0.0 } else { at.solution.ceiling() };
                     let place = Vector2::new(x, self.equations.impact(at.solution)[1]);
-                    vec![Meeting { place, impact: [f64::NAN; 2] }]
+                    vec![Meeting { place, impact: [f64::NAN; 2], wall: 0 }]
                 };
                 places.iter().map(highest).collect()
             }
-            1 => self.loops_of_mps(places),
+            // A section between two stops would have maxima and minima.
+            1 if !self.equations.has_two_stops() => self.loops_of_mps(places),
             _ => self.maxima_of_flights(places),
         }
     }
@@ -108,7 +116,11 @@ impl Branch {
             carried = times.clone().unwrap_or_default();
             let visits = times.and_then(|times| vivid.visits(point, &times).ok());
             let impact = self.equations.impact(at.solution);
-            visits.unwrap_or_else(|| top(point)).into_iter().map(|place| Meeting { place, impact }).collect()
+            visits
+                .unwrap_or_else(|| top(point))
+                .into_iter()
+                .map(|place| Meeting { place, impact, wall: 1 })
+                .collect()
         });
         visits.collect()
     }
@@ -121,7 +133,8 @@ impl Branch {
             let of_flight = |(index, flight): (usize, Flight<AnyMotion>)| {
                 let next = point.impact((index + 1) % point.impacts());
                 let impact = [next.velocity, next.phase];
-                let place = |[x, z]: [f64; 2]| Meeting { place: Vector2::new(x, z), impact };
+                let wall = self.wall(index + 1);
+                let place = |[x, z]: [f64; 2]| Meeting { place: Vector2::new(x, z), impact, wall };
                 visits_of(&oscillator, &flight).into_iter().map(place).collect::<Vec<_>>()
             };
             flights.map(of_flight).collect::<Vec<_>>()
@@ -130,7 +143,7 @@ impl Branch {
         let longest = |flight: usize| found.iter().map(|flights| flights[flight].len()).max().unwrap_or(0);
         let counts: Vec<usize> = (0..self.impacts() as usize).map(longest).collect();
         let filled = |(meetings, count): (Vec<Meeting>, &usize)| {
-            let unknown = Meeting { place: Vector2::repeat(f64::NAN), impact: [f64::NAN; 2] };
+            let unknown = Meeting { place: Vector2::repeat(f64::NAN), impact: [f64::NAN; 2], wall: 0 };
             let missing = count - meetings.len();
             core::iter::repeat_n(unknown, missing).chain(meetings).collect::<Vec<_>>()
         };
@@ -154,7 +167,7 @@ impl Branch {
             let mut points = Vec::new();
             let mut phase = f64::NAN;
             for (k, (at, visits)) in places.iter().zip(&visits).enumerate() {
-                let Meeting { place, impact: [velocity, of_impact] } = visits[visit];
+                let Meeting { place, impact: [velocity, of_impact], wall } = visits[visit];
                 let [x, z] = place.into();
                 // Where another maximum is taken for the visit, a new strand begins.
                 if libm::remainder(z - phase, TAU).abs() > turn {
@@ -166,6 +179,7 @@ impl Branch {
                     diagram: 0,
                     loops,
                     impacts,
+                    wall,
                     secondary,
                     primary,
                     x,
@@ -187,6 +201,7 @@ impl Branch {
                 kind,
                 loops,
                 impacts,
+                wall: visits.last().map_or(0, |last| last.wall),
                 secondary,
                 primary,
                 impact_velocity: at.solution.impact_velocity(),

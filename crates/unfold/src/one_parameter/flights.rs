@@ -1,13 +1,23 @@
 //! Flights as they are shown: the points at which they meet Π.
 
 use grazing_model::maps::{next_visit, virtual_map};
-use grazing_model::orbit::{Flight, FlightEnd};
-use grazing_model::{AnyMotion, AnyOscillator, AtRest, OnWall, State};
+use grazing_model::orbit::Flight;
+use grazing_model::{AnyMotion, AnyOscillator, AtRest, ImpactOscillator, OnWall, State};
+
+use crate::long_time::Strike;
 
 /// The points (x, z) at which a flight meets Π: the iterates of P_global from the virtual point of its
-/// recoil while they lie within the flight, and the virtual maximum beyond the wall at its end.
+/// recoil while they lie within the flight, and the virtual maximum beyond the wall at its end. Between two
+/// stops only the latter, beyond either of them.
 pub(super) fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>) -> Vec<[f64; 2]> {
     let mut visits: Vec<[f64; 2]> = flight.rest.iter().map(|rest| [0.0, rest.phase]).collect();
+    let last = Strike::of(flight).and_then(|strike| strike.virtual_top(oscillator));
+    if oscillator.other_stop().is_some() {
+        // At the end of a rest the flight is where the stop is.
+        visits.iter_mut().for_each(|visit| visit[0] = flight.from.position);
+        visits.extend(last);
+        return visits;
+    }
     let State { position, velocity, phase } = flight.from;
     let mut here = match velocity {
         0.0 => Some((0.0, AtRest::new(position, phase))),
@@ -22,10 +32,6 @@ pub(super) fn visits_of(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>) 
         here = next.filter(|(time, _)| *time < flight.duration);
         visits.extend(here.map(|(_, visit)| [visit.position, visit.phase]));
     }
-    if let FlightEnd::Impact(impact) = flight.end
-        && let Ok(top) = virtual_map::<_, 1>(oscillator, OnWall::new(impact.velocity, impact.phase), None)
-    {
-        visits.push(top.jet.value.into());
-    }
+    visits.extend(last);
     visits
 }

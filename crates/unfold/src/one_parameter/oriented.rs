@@ -26,6 +26,12 @@ fn exchange<const N: usize>(hessian: &mut SMatrix<f64, N, N>, [a, b]: [usize; 2]
     hessian.swap_rows(a, b);
 }
 
+fn exchanged_jet(mut jet: ParameterJet) -> ParameterJet {
+    jet.gradient.swap_rows(0, 1);
+    exchange(&mut jet.hessian, [0, 1]);
+    jet
+}
+
 impl ImpactOscillator for Exchanged {
     type Motion = AnyMotion;
 
@@ -47,10 +53,15 @@ impl ImpactOscillator for Exchanged {
     }
 
     fn forcing_frequency(&self) -> ParameterJet {
-        let mut jet = self.0.forcing_frequency();
-        jet.gradient.swap_rows(0, 1);
-        exchange(&mut jet.hessian, [0, 1]);
-        jet
+        exchanged_jet(self.0.forcing_frequency())
+    }
+
+    fn other_stop(&self) -> Option<Self> {
+        self.0.other_stop().map(Self)
+    }
+
+    fn gap(&self, phase: f64) -> [ParameterJet; 2] {
+        self.0.gap(phase).map(exchanged_jet)
     }
 
     fn acceleration(&self, state: State) -> f64 {

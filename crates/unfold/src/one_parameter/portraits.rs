@@ -10,8 +10,7 @@ use rayon::prelude::*;
 
 use super::branches::Branch;
 use crate::long_time::{
-    Horizon, LongOrbit, MotionKind, Patience, random_start, same_impact, sampled, sampled_flight,
-    sampled_solution,
+    Horizon, LongOrbit, MotionKind, Patience, Strike, random_start, sampled, sampled_flight, sampled_solution,
 };
 use crate::progress::Progress;
 use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
@@ -32,8 +31,8 @@ const ATTRACTOR_PERIODS: u32 = 40;
 const FREE_PERIODS: f64 = 8.0;
 /// Number of random states at each μ.
 const STARTS: u32 = 8;
-/// Impacts (y, z) of an orbit that has settled.
-type Impacts = Vec<Vector2<f64>>;
+/// Impacts of an orbit that has settled.
+type Impacts = Vec<Strike>;
 
 /// The oscillator, branches and settings of the search for orbits.
 pub(super) struct Scene<'a> {
@@ -107,7 +106,8 @@ impl Scene<'_> {
         for branch in self.branches {
             for point in branch.stable_at(primary) {
                 if branch.equations.has_impacts() {
-                    let impact = Vector2::new(point[0], point[1]);
+                    let impact =
+                        Strike { impact: Vector2::new(point[0], point[1]), stop: branch.equations.stop(0) };
                     if contains(&known, &impact) {
                         continue;
                     }
@@ -118,10 +118,8 @@ impl Scene<'_> {
                     }
                     free.push(point.clone());
                 }
-                portraits.push(solution(
-                    branch.equations.loops(),
-                    sampled_solution(&branch.equations, &point, 0.0),
-                ));
+                let flights = sampled_solution(&branch.equations, &point, 0.0);
+                portraits.push(solution(branch.equations.loops(), flights));
             }
         }
         let attractor = |flights| portrait(PortraitKind::Attractor, 0, parameters, flights);
@@ -131,7 +129,7 @@ impl Scene<'_> {
         let mut random = Pcg64::new(u128::from(self.seed), (place + 1) << 64);
         let horizon = Horizon { patience, ..Horizon::drifting(self.transient, ATTRACTOR_PERIODS) };
         for _ in 0..STARTS {
-            let start = random_start(self.lowest, &mut random);
+            let start = random_start(&oscillator, self.lowest, &mut random);
             let orbit = LongOrbit::follow(&oscillator, start, horizon);
             if let Some(state) = orbit.free_state(&oscillator) {
                 // Motion with several times the forcing period, or motion to which no branch leads.
@@ -158,18 +156,20 @@ impl Scene<'_> {
             }
             seen.push(impacts);
             let began = flights[0].rest.map_or(flights[0].start, |rest| rest.start);
-            let flights = flights.iter().map(|flight| sampled_flight(flight, flight.start - began, period));
+            let flights = flights
+                .iter()
+                .map(|flight| sampled_flight(&oscillator, flight, flight.start - began, period));
             portraits.push(attractor(flights.collect()));
         }
         portraits
     }
 }
 
-fn contains(impacts: &Impacts, impact: &Vector2<f64>) -> bool {
-    impacts.iter().any(|other| same_impact(BETWEEN_ORBITS, other, impact))
+fn contains(impacts: &Impacts, impact: &Strike) -> bool {
+    impacts.iter().any(|other| other.is_like(BETWEEN_ORBITS, impact))
 }
 
 /// Whether every impact of an attractor lies near one of another attractor.
 fn near(all: &Impacts, impacts: &Impacts) -> bool {
-    impacts.iter().all(|impact| all.iter().any(|other| same_impact(BETWEEN_WANDERING_ORBITS, other, impact)))
+    impacts.iter().all(|impact| all.iter().any(|other| other.is_like(BETWEEN_WANDERING_ORBITS, impact)))
 }

@@ -1,18 +1,18 @@
 //! Quantities of solutions and simulated motion other than x on Π.
 
 use grazing_continuation::mps::PeriodicSolution;
-use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
 use grazing_model::phase::{centred, turned};
-use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
+use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::Stability;
 use grazing_results::branches::Orbits;
 use grazing_results::readings::{MotionReading, Reading, Sweep};
+use nalgebra::Vector2;
 use rayon::prelude::*;
 
 use super::branches::{Branch, within};
 use super::{Cut, Sampling};
-use crate::long_time::{LongOrbit, MotionKind};
+use crate::long_time::{LongOrbit, MotionKind, Strike};
 use crate::progress::Progress;
 use crate::stretches::{Vertex, vertices};
 
@@ -80,10 +80,11 @@ impl Branch {
                     impacts.map(|impact| [impact.velocity, impact.phase]).collect()
                 }
             };
-            let reading = |[velocity, phase]: [f64; 2]| Reading {
+            let reading = |(index, [velocity, phase]): (usize, [f64; 2])| Reading {
                 diagram: 0,
                 loops: self.equations.loops(),
                 impacts: self.impacts(),
+                wall: self.wall(index),
                 secondary,
                 primary,
                 impact_velocity: velocity,
@@ -96,7 +97,7 @@ impl Branch {
                 admissible: at.solution.ceiling() <= PeriodicSolution::TOUCH,
                 branch: 0,
             };
-            impacts.into_iter().map(reading).collect()
+            impacts.into_iter().enumerate().map(reading).collect()
         };
         places.iter().zip(stability).map(readings).collect()
     }
@@ -173,7 +174,7 @@ pub(super) fn readings_of(
 ) -> Vec<MotionReading> {
     let [primary, secondary] = oscillator.parameters();
     let period = oscillator.forcing_period();
-    let row = |x, [velocity, phase]: [f64; 2], peak_to_peak| MotionReading {
+    let row = |x, (wall, [velocity, phase]): (u32, [f64; 2]), peak_to_peak| MotionReading {
         diagram: 0,
         sweep,
         orbit: number,
@@ -183,6 +184,7 @@ pub(super) fn readings_of(
         periods: orbit.fate.periods.map_or(f64::NAN, f64::from),
         impacts: orbit.fate.impacts,
         rests: orbit.fate.rests,
+        wall,
         x,
         impact_velocity: velocity,
         impact_phase: centred(phase),
@@ -193,19 +195,21 @@ pub(super) fn readings_of(
     };
     if let Some((from, periods)) = orbit.free_cycle(oscillator) {
         let [low, high] = extent(&oscillator.motion(from), periods * period, period);
-        return vec![row(high, [0.0, f64::NAN], high - low)];
+        return vec![row(high, (0, [0.0, f64::NAN]), high - low)];
     }
     if orbit.state(oscillator).is_none() {
         return Vec::new();
     }
     let extents = orbit.flights.iter().map(|flight| extent(&flight.motion, flight.duration, period));
-    let [low, high] = widest(extents, [f64::INFINITY, 0.0]);
+    // Impacts are at x = 0 unless another stop is hit.
+    let begin = if oscillator.other_stop().is_some() { f64::NEG_INFINITY } else { 0.0 };
+    let [low, high] = widest(extents, [f64::INFINITY, begin]);
     // The impacts of one cycle, if there is one.
     let count = orbit.cycle.map_or(usize::MAX, |cycle| cycle.impacts);
-    let rows = orbit.impacts.iter().take(count).map(|impact| {
-        let [velocity, phase] = [impact[0], turned(impact[1])];
-        let top = virtual_map::<_, 1>(oscillator, OnWall::new(velocity, phase), None);
-        row(top.map_or(f64::NAN, |top| top.jet.value[0]), [velocity, phase], high - low)
+    let rows = orbit.impacts.iter().take(count).map(|&Strike { impact, stop }| {
+        let impact = Vector2::new(impact[0], turned(impact[1]));
+        let x = Strike { impact, stop }.virtual_top(oscillator).map_or(f64::NAN, |[x, _]| x);
+        row(x, (stop as u32 + 1, impact.into()), high - low)
     });
     rows.collect()
 }

@@ -80,9 +80,9 @@ fn highest_points(oscillator: &AnyOscillator, from: State, periods: u32) -> Vec<
 /// The solution with several impacts, `most` of them at most, on which an orbit has settled.
 fn settled(oscillator: &AnyOscillator, orbit: &LongOrbit, most: u32) -> Option<Recurring> {
     let impacts = orbit.cycle?.impacts;
-    let (periods, near) = (2..=most as usize).contains(&impacts).then(|| near(oscillator, orbit))??;
-    let equations = equations(oscillator, periods);
-    solution(&equations, &near, oscillator.parameters()).map(|at| (periods, at))
+    let (kind, near) = (2..=most as usize).contains(&impacts).then(|| near(oscillator, orbit))??;
+    let equations = equations(oscillator, &kind);
+    solution(&equations, &near, oscillator.parameters()).map(|at| (kind, at))
 }
 
 /// The long-term behaviour of orbits over a range of μ.
@@ -102,7 +102,11 @@ pub(super) fn long_time_behaviour(
             if progress.stopped() {
                 break;
             }
-            let orbit = LongOrbit::follow(&oscillator, random_start(lowest, &mut random), sampling.horizon());
+            let orbit = LongOrbit::follow(
+                &oscillator,
+                random_start(&oscillator, lowest, &mut random),
+                sampling.horizon(),
+            );
             let found = long_time_visits(&oscillator, &orbit, sampling.recorded);
             sampled.orbits = sampled.orbits.plus(counted(&orbit));
             sampled.settled.extend(settled(&oscillator, &orbit, sampling.impacts));

@@ -2,10 +2,9 @@
 
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
-use nalgebra::Vector2;
 use rayon::prelude::*;
 
-use crate::long_time::{Fate, Horizon, LongOrbit, MotionKind, Patience, same_impact};
+use crate::long_time::{Fate, Horizon, LongOrbit, MotionKind, Patience, Strike};
 use crate::progress::Progress;
 use crate::settled::{Recurring, near};
 use crate::tolerances::BETWEEN_ORBITS;
@@ -22,7 +21,7 @@ pub(super) struct Outcome {
     /// A later state of the same motion, if it can be followed.
     pub(super) late: State,
     pub(super) fate: Fate,
-    pub(super) impacts: Vec<Vector2<f64>>,
+    pub(super) impacts: Vec<Strike>,
     /// The cycle with impacts on which the orbit has settled.
     pub(super) near: Option<Recurring>,
     /// The state at phase zero of motion without impacts, and its highest point on a cycle.
@@ -63,7 +62,7 @@ impl Outcome {
         match a.kind {
             MotionKind::Periodic => {
                 let first = &other.impacts[0];
-                self.impacts.iter().any(|impact| same_impact(BETWEEN_ORBITS, impact, first))
+                self.impacts.iter().any(|impact| impact.is_like(BETWEEN_ORBITS, first))
             }
             MotionKind::NonImpacting => (self.highest - other.highest).abs() < BETWEEN_ORBITS,
             _ => true,

@@ -22,5 +22,6 @@ mod slivers;
 mod specimens;
 mod straightened;
 mod torus;
+mod two_stops;
 mod units;
 mod verdicts;
