@@ -153,6 +153,7 @@ mod tests {
         let diagram = Diagram {
             scope: Scope { window, loops: vec![1], start: None },
             oscillator: description.oscillator([0.5, 0.75]),
+            wall: 0,
             grazing: Vec::new(),
             doubled: Vec::new(),
             no_grazing: None,
