@@ -143,6 +143,7 @@ pub fn at_place(
             motion: one.fate.kind.name(),
             periods: one.fate.periods.map_or(f64::NAN, f64::from),
             impacts: one.fate.impacts,
+            second: one.fate.second,
             rests: one.fate.rests,
             exponent: one.exponent.mean / units.time,
             exponent_error: one.exponent.error / units.time,

@@ -173,6 +173,8 @@ columns! {
     PERIODS = "periods", "", "1";
     /// mean number of impacts per forcing period; empty where infinitely many accumulate at the wall
     IMPACTS_PER_PERIOD = "impacts", "", "1";
+    /// mean number of these impacts at the second wall, in the order of the file, per forcing period. Only with two walls
+    IMPACTS_AT_SECOND_WALL = "impacts_at_{wall}_2", "", "1";
     /// mean number of rests at the wall per forcing period, each until the force turns
     RESTS_PER_PERIOD = "rests", "", "1";
     /// virtual x of the impact on Π; without impacts, the highest position

@@ -253,7 +253,11 @@ impl Names {
     /// the last places are filled and the others are empty.
     pub fn put_into(&self, text: &str) -> String {
         let text = text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary);
-        let text = text.replace("{wall}", if self.two_walls { "wall" } else { "" });
+        // A column that says which of two walls is hit is left out where there is one.
+        if text.contains("{wall}") && !self.two_walls {
+            return String::new();
+        }
+        let text = text.replace("{wall}", "wall");
         self.varied_put_into(text, 0)
     }
 

@@ -14,6 +14,7 @@ rows! {
         motion: &'static str = MOTION,
         periods: f64 = PERIODS,
         impacts: f64 = IMPACTS_PER_PERIOD,
+        second: f64 = IMPACTS_AT_SECOND_WALL,
         rests: f64 = RESTS_PER_PERIOD,
         exponent: f64 = LYAPUNOV,
         exponent_error: f64 = LYAPUNOV_ERROR,
@@ -197,6 +198,23 @@ impl PlaceSolution {
 }
 
 impl PlaceAttractor {
+    /// What is hit between two walls: "2 impacts at wall 1 and 1 at wall 2 in 1 period".
+    fn walls(&self) -> String {
+        let [first, second, rests] =
+            [self.impacts - self.second, self.second, self.rests].map(|rate| self.periods * rate);
+        let impacts = match (first > 0.5, second > 0.5) {
+            (true, true) => format!("{} at wall 1 and {second:.0} at wall 2", several(first, "impact")),
+            (true, false) => format!("{} at wall 1", several(first, "impact")),
+            _ => format!("{} at wall 2", several(second, "impact")),
+        };
+        let rest = match rests {
+            rests if rests > 1.5 => format!(" and {}", several(rests, "rest")),
+            rests if rests > 0.0 => " and a rest".to_owned(),
+            _ => String::new(),
+        };
+        format!("{impacts}{rest} in {}", several(self.periods, "period"))
+    }
+
     /// The number of loops p of an MPS, or 0 for motion without impacts of one period; nothing for other
     /// motion.
     pub fn loops(&self) -> Option<u32> {
@@ -206,6 +224,9 @@ impl PlaceAttractor {
     /// A description of the attractor in words.
     pub fn words(&self) -> String {
         match self.loops() {
+            _ if self.second.is_finite() && self.impacts.is_finite() && self.periods * self.impacts > 0.5 => {
+                self.walls()
+            }
             Some(0) => "no impacts".to_owned(),
             Some(p) => format!("MPS, $p={p}$"),
             None if self.periods.is_nan() => self.motion.to_owned(),

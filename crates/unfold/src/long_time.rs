@@ -21,8 +21,8 @@ use rand_pcg::rand_core::Rng;
 pub use cycle::{Cycle, Strike, same_impact};
 pub use exponent::Exponent;
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
-pub(crate) use samples::sampled_flight;
 pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
+pub(crate) use samples::{sampled_flight, sampled_rest};
 
 /// A random point of Π: x uniform between `lowest` and the wall, or between both stops if there are two;
 /// the phase uniform.

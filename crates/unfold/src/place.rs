@@ -7,6 +7,7 @@ mod outcome;
 use grazing_continuation::mps::{LoopEquations, Multipliers, Unknowns, unknown};
 use grazing_model::orbit::Flight;
 use grazing_model::phase::turned;
+use grazing_model::rest::Rest;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
@@ -16,7 +17,7 @@ use self::outcome::{Known, Outcome, each, long_orbit};
 use crate::Scope;
 use crate::long_time::{
     Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, Strike, random_start, same_impact, sampled,
-    sampled_flight, sampled_solution, time_of_phase,
+    sampled_flight, sampled_rest, sampled_solution, time_of_phase,
 };
 use crate::progress::Progress;
 use crate::search;
@@ -221,7 +222,12 @@ impl Attractor {
                 vec![sampled(&oscillator.motion(from), begin, periods * period, period)]
             }
             None if orbit.fate.kind == MotionKind::Resting => {
-                vec![[0.0, period].map(|time| [time, 0.0, 0.0]).to_vec()]
+                let over_a_period = |rest| Rest { phase: 0.0, duration: period, ..rest };
+                vec![
+                    orbit
+                        .at_rest
+                        .map_or(Vec::new(), |rest| sampled_rest(oscillator, &over_a_period(rest), |t| t)),
+                ]
             }
             None => {
                 let shown = orbit.shown();

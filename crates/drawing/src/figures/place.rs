@@ -219,6 +219,7 @@ mod tests {
             motion,
             periods,
             impacts,
+            second: f64::NAN,
             rests: 0.0,
             exponent: 0.01,
             exponent_error: 0.0,

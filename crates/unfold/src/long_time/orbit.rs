@@ -2,6 +2,7 @@
 
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::phase::turned;
+use grazing_model::rest::Rest;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
 
@@ -36,6 +37,8 @@ pub struct Fate {
     pub periods: Option<u32>,
     /// Impacts in a forcing period, on average; ∞ where they accumulate.
     pub impacts: f64,
+    /// Those of them at the second of two stops, in a forcing period on average; NaN with one stop.
+    pub second: f64,
     /// Rests at the wall in a forcing period, on average, that the force ends.
     pub rests: f64,
     /// The number of forcing periods for which it was followed.
@@ -138,6 +141,8 @@ pub struct LongOrbit {
     pub flights: Vec<Flight<AnyMotion>>,
     /// The impacts at which these end.
     pub impacts: Vec<Strike>,
+    /// The rest at a stop with which it ends.
+    pub(crate) at_rest: Option<Rest>,
     /// The last flight that begins in the transient.
     before: Option<Flight<AnyMotion>>,
     /// The state at the end of the time, unless the orbit came to rest at the wall for good or cannot be
@@ -187,6 +192,8 @@ impl LongOrbit {
             kind: if cycle.impacts == 0 { MotionKind::NonImpacting } else { MotionKind::Periodic },
             periods: Some(cycle.periods),
             impacts: impacts / f64::from(cycle.periods),
+            second: at_second(oscillator, &orbit.impacts[..cycle.impacts.min(orbit.impacts.len())])
+                / f64::from(cycle.periods),
             rests: cycle.rests as f64 / f64::from(cycle.periods),
             followed,
         };
@@ -226,6 +233,10 @@ impl LongOrbit {
             if flight.start >= 0.0 { flights.push(flight) } else { before = Some(flight) }
         }
         let impacts: Vec<Strike> = flights.iter().filter_map(Strike::of).collect();
+        let at_rest = match orbit.end() {
+            Some(OrbitEnd::Resting { rest, .. }) => Some(rest),
+            _ => None,
+        };
         let (kind, end) = match end.or(orbit.end()) {
             Some(OrbitEnd::TimeIsUp(end)) if end.position.is_finite() => (MotionKind::Unsettled, Some(end)),
             Some(OrbitEnd::Resting { held: true, .. }) => (MotionKind::Resting, None),
@@ -241,8 +252,10 @@ impl LongOrbit {
         let count = if rests().any(|rest| rest.accumulated) { f64::INFINITY } else { impacts.len() as f64 };
         let [impacts_in_one, rests_in_one] =
             [count, rests().count() as f64].map(|count| count / f64::from(counted));
-        let fate = Fate { kind, periods: None, impacts: impacts_in_one, rests: rests_in_one, followed: 0 };
-        Self { fate, cycle, flights, impacts, before, end }
+        let second = at_second(oscillator, &impacts) / f64::from(counted);
+        let (impacts_per_period, rests) = (impacts_in_one, rests_in_one);
+        let fate = Fate { kind, periods: None, impacts: impacts_per_period, second, rests, followed: 0 };
+        Self { fate, cycle, flights, impacts, before, end, at_rest }
     }
 
     /// The flight of motion that has no impact after the transient.
@@ -289,4 +302,10 @@ impl LongOrbit {
         let period = oscillator.forcing_period();
         Some((state_at(oscillator, flight, (flight.duration - periods * period).max(0.0)), periods))
     }
+}
+
+/// The number of impacts at the second of two stops; NaN if there is only one.
+fn at_second(oscillator: &AnyOscillator, impacts: &[Strike]) -> f64 {
+    let count = impacts.iter().filter(|strike| strike.stop == 1).count() as f64;
+    if oscillator.other_stop().is_some() { count } else { f64::NAN }
 }

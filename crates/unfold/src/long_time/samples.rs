@@ -45,7 +45,11 @@ pub(crate) fn sampled_flight(
 
 /// Samples (t, x, y) of a rest at a stop, with t as a function of the time from its beginning: its ends,
 /// or as many as for a flight at the other stop, which may move.
-fn sampled_rest(oscillator: &AnyOscillator, rest: &Rest, when: impl Fn(f64) -> f64) -> Vec<[f64; 3]> {
+pub(crate) fn sampled_rest(
+    oscillator: &AnyOscillator,
+    rest: &Rest,
+    when: impl Fn(f64) -> f64,
+) -> Vec<[f64; 3]> {
     let frequency = oscillator.forcing_frequency().value;
     let at = |time: f64| {
         let [gap, rate] = oscillator.gap(rest.phase + frequency * time);

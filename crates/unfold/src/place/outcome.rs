@@ -22,6 +22,8 @@ pub(super) struct Outcome {
     pub(super) late: State,
     pub(super) fate: Fate,
     pub(super) impacts: Vec<Strike>,
+    /// The stop at which the orbit rests for good.
+    resting: Option<usize>,
     /// The cycle with impacts on which the orbit has settled.
     pub(super) near: Option<Recurring>,
     /// The state at phase zero of motion without impacts, and its highest point on a cycle.
@@ -49,7 +51,8 @@ impl Outcome {
         });
         let late = orbit.end.unwrap_or(start);
         let (near, impacts) = (near(oscillator, orbit), orbit.impacts.clone());
-        Self { start, late, fate: orbit.fate, impacts, near, at_phase_zero, highest }
+        let resting = orbit.at_rest.map(|rest| rest.stop);
+        Self { start, late, fate: orbit.fate, impacts, resting, near, at_phase_zero, highest }
     }
 
     /// Whether the outcome looks like another one.
@@ -64,6 +67,7 @@ impl Outcome {
                 let first = &other.impacts[0];
                 self.impacts.iter().any(|impact| impact.is_like(BETWEEN_ORBITS, first))
             }
+            MotionKind::Resting => self.resting == other.resting,
             MotionKind::NonImpacting => (self.highest - other.highest).abs() < BETWEEN_ORBITS,
             _ => true,
         }

@@ -22,11 +22,19 @@ impl Survey<'_> {
         let curves = &self.net.curves;
         let has_impacts = self.loops() > 0;
         let covered = |k: usize| curves[..k].iter().any(|earlier| covers(self.scope, earlier, &curves[k]));
-        let shown: Vec<usize> = (0..curves.len()).filter(|k| has_impacts || !covered(*k)).collect();
+        // With symmetric stops, motion without impacts touches both at once.
+        let grazing: Vec<Vec<Point>> =
+            self.grazing.iter().map(|curve| curve.parameters().collect()).collect();
+        let touches_both = |k: usize| {
+            curves[k].kind == Bifurcation::NonImpactingGrazing
+                && grazing.iter().any(|line| lies_on(self.scope, line, &curves[k]))
+        };
+        let shown = |k: &usize| has_impacts || !covered(*k) && !touches_both(*k);
+        let shown: Vec<usize> = (0..curves.len()).filter(shown).collect();
         let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
         let mut lines: Vec<Vec<Point>> = Vec::new();
         if !has_impacts {
-            lines.extend(self.grazing.iter().map(|curve| curve.parameters().collect()));
+            lines.extend(grazing);
         }
         lines.extend(self.doublings());
         lines.extend(alongside::polylines(
@@ -144,16 +152,20 @@ fn meet(lines: &mut [Vec<Point>], end: Point, window: Window) {
 /// Whether one curve lies on another in the plane, as do those of motion in both wells of a
 /// symmetric force: only slivers would lie between them.
 fn covers(scope: &Scope, known: &DiagramCurve, other: &DiagramCurve) -> bool {
-    let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
-        let places = curve.curve.parameters().into_iter();
-        places.map(|at| Vector2::from(scope.window.shares(at))).collect()
+    known.kind == other.kind && lies_on(scope, &known.curve.parameters(), other)
+}
+
+/// Whether a curve lies on a line.
+fn lies_on(scope: &Scope, line: &[Point], curve: &DiagramCurve) -> bool {
+    let places = |points: &[Point]| -> Vec<Vector2<f64>> {
+        points.iter().map(|at| Vector2::from(scope.window.shares(*at))).collect()
     };
-    let [line, points] = [known, other].map(places);
+    let [line, points] = [places(line), places(&curve.curve.parameters())];
     let near = |point: &Vector2<f64>| {
         line.windows(2).any(|pair| {
             let chord = pair[1] - pair[0];
             near_chord(&(pair[0] - point), &chord, DRAWN / chord.norm())
         })
     };
-    known.kind == other.kind && points.iter().all(near)
+    points.iter().all(near)
 }
