@@ -13,7 +13,8 @@ use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 pub enum Condition {
     /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
     Multiplier(f64),
-    /// A multiplier of symmetric motion without impacts over half a period is −1: a pitchfork.
+    /// A multiplier of symmetric motion without impacts, or with one impact at each of two stops, over half of
+    /// its time is −1: a pitchfork.
     /// Motion that is not symmetric does not satisfy it.
     SymmetryBreaking,
     /// The product of both multipliers equals this: 1 at a torus bifurcation, where they are complex
@@ -152,6 +153,9 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
     point: &Unknowns,
     times: &mut EventTimes,
 ) -> Result<(Linearisation<Unknowns>, Round), MapError> {
+    if condition == Condition::SymmetryBreaking && equations.has_impacts() {
+        return equations.symmetry_breaking(point, times);
+    }
     let halved = match condition {
         Condition::SymmetryBreaking => Some(equations.halved().ok_or(MapError::NotSymmetric)?),
         _ => None,

@@ -365,8 +365,12 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok(LoopPair::of(&around, &MapJet::identity(from)).into())
     }
 
-    /// The stability of symmetric motion over the whole period, from the map over half of it.
+    /// The stability of symmetric motion over the whole period, from the map over half of it, or of a solution
+    /// with one impact at each of two stops that is its own mirror image.
     pub(crate) fn symmetric_stability(&self, point: &Unknowns, flights: &[O::Motion]) -> Option<Stability> {
+        if let Some(half) = self.mirrored(point) {
+            return Some(half.stability().of_the_square());
+        }
         let mirror = Some(self.symmetry?);
         let maps = self.maps_along::<1>(point, &planes(point), flights, mirror).ok()?;
         (maps.distance() < RECURS).then(|| maps.stability().of_the_square())

@@ -1,9 +1,14 @@
-//! Motion without impacts of a symmetric oscillator.
+//! Motion without impacts of a symmetric oscillator, and motion with one impact at each of two stops.
 
-use grazing_model::MapJet;
+use core::f64::consts::PI;
 
-use super::Unknowns;
-use crate::unknowns::parameters;
+use grazing_model::maps::{self, MapError};
+use grazing_model::{ImpactOscillator, MapJet, OnWall, State};
+
+use super::{EventTimes, LoopEquations, LoopPair, Round, Unknowns};
+use crate::newton::{Linearisation, Space};
+use crate::tolerances::RECURS;
+use crate::unknowns::{Square, parameters, unknown};
 
 /// A symmetry of an oscillator without its wall: with x(t), 2c − x(t + T/2) is a motion as well.
 ///
@@ -32,5 +37,98 @@ impl Symmetry {
         mirrored.jacobian[(0, 2)] += 2.0 * by_primary;
         mirrored.jacobian[(0, 3)] += 2.0 * by_secondary;
         mirrored
+    }
+}
+
+/// States and impacts at which an oscillator is compared with its mirror image.
+const STATES: [[f64; 3]; 4] = [[-0.1, 0.3, 0.4], [-0.45, -0.7, 1.9], [-0.2, 0.9, 3.3], [-0.8, -0.2, 5.1]];
+/// Relative difference of forces that is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Whether an oscillator with two stops looks the same from each, half a forcing period later.
+fn is_symmetric(oscillator: &impl ImpactOscillator) -> bool {
+    let Some(other) = oscillator.other_stop() else { return false };
+    let same = |a: f64, b: f64| (a - b).abs() <= ROUNDING * (1.0 + a.abs());
+    STATES.iter().all(|&[position, velocity, phase]| {
+        let [here, there] = [phase, phase + PI];
+        let forces = same(
+            oscillator.acceleration(State { position, velocity, phase: here }),
+            other.acceleration(State { position, velocity, phase: there }),
+        );
+        let reset = |seen: &dyn Fn(OnWall) -> OnWall, phase| {
+            let after = seen(OnWall::new(velocity.abs(), phase));
+            [after.velocity, after.phase - phase]
+        };
+        let [a, b] = reset(&|impact| oscillator.reset::<1>(impact).image(), here);
+        let [c, d] = reset(&|impact| other.reset::<1>(impact).image(), there);
+        let gaps = [here, there].map(|phase| oscillator.gap(phase)[0].value);
+        forces && same(a, c) && same(b, d) && same(gaps[0], gaps[1])
+    })
+}
+
+impl<O: ImpactOscillator> LoopEquations<O> {
+    /// Whether solutions hit each of two stops once, and may be their own mirror images.
+    fn may_be_mirrored(&self, point: &Unknowns) -> bool {
+        point.impacts() == 2 && self.stops() == [0, 1] && !self.loops().is_multiple_of(2)
+    }
+
+    /// The maps over half the time of a solution with one impact at each of two symmetric stops, the second
+    /// p/2 forcing periods after the first: as the other stop sees them, they lead to an impact like the first.
+    fn mirrored_maps<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> Round {
+        let (oscillator, impact) = (self.oscillator_at(point), point.impact(0));
+        let reset = oscillator.reset::<ORDER>(impact);
+        let [recoil, before]: [State; 2] = [reset.image().into(), impact.into()];
+        let to = plane + f64::from(self.loops()) * PI;
+        let around = maps::to_phase::<O, ORDER, OnWall>(&oscillator, &oscillator.motion(recoil), recoil, to);
+        let around = maps::across(&oscillator, &around, to).after::<ORDER, _>(&reset);
+        let motion = oscillator.motion(before);
+        let ahead = maps::to_phase::<O, ORDER, OnWall>(&oscillator, &motion, before, plane);
+        LoopPair::of(&around, &ahead).into()
+    }
+
+    /// The maps over half the time of a solution that is its own mirror image; `None` for all others.
+    pub(super) fn mirrored(&self, point: &Unknowns) -> Option<Round> {
+        self.may_be_mirrored(point).then_some(())?;
+        let apart = [
+            point[unknown::velocity(1)] - point[unknown::VELOCITY],
+            point[unknown::phase(1)] - point[unknown::PHASE] - f64::from(self.loops()) * PI,
+        ];
+        let is_image = apart.iter().all(|apart| apart.abs() < RECURS);
+        (is_image && is_symmetric(&self.oscillator_at(point)))
+            .then(|| self.mirrored_maps::<1>(point, point[unknown::PHASE]))
+    }
+
+    /// The equations of solutions that are their own mirror images, with a multiplier of −1 over half the
+    /// time, and the maps over it.
+    ///
+    /// # Errors
+    /// There are no such solutions.
+    pub(crate) fn symmetry_breaking(
+        &self,
+        point: &Unknowns,
+        times: &EventTimes,
+    ) -> Result<(Linearisation<Unknowns>, Round), MapError> {
+        if !(self.may_be_mirrored(point) && is_symmetric(&self.oscillator_at(point))) {
+            return Err(MapError::NotSymmetric);
+        }
+        let plane = times.planes.first().copied().unwrap_or(point[unknown::PHASE]);
+        let half = self.mirrored_maps::<2>(point, plane);
+        let (gap, slopes) = half.first().difference();
+        let (value, gradient) = half.characteristic(-1.0);
+        let mut jacobian = Square::zeros(point.size());
+        let mut residual = point.filled(0.0);
+        for row in 0..2 {
+            residual[row] = gap[row];
+            (0..4).for_each(|column| jacobian[[row, column]] = slopes[(row, column)]);
+        }
+        let pairs = [(unknown::VELOCITY, 0.0), (unknown::PHASE, f64::from(self.loops()) * PI)];
+        for (row, (own, later)) in (2..).zip(pairs) {
+            let image = if own == unknown::VELOCITY { unknown::velocity(1) } else { unknown::phase(1) };
+            residual[row] = point[image] - point[own] - later;
+            (jacobian[[row, image]], jacobian[[row, own]]) = (1.0, -1.0);
+        }
+        residual[4] = value;
+        (0..4).for_each(|column| jacobian[[4, column]] = gradient[column]);
+        Ok((Linearisation { residual, jacobian }, half))
     }
 }

@@ -62,3 +62,55 @@ fn above_the_wall_is_below_it_upside_down() {
         described("-2*zeta*v - (x - d) - 1 + B*omega^2*cos(omega*t)", "[wall]\nposition = \"d\"").unwrap();
     assert!(difference(&paper, &shifted) < 1e-15);
 }
+
+/// A file with these tables of walls, and this one of impacts.
+fn between(walls: &str, impact: &str) -> Result<Description, String> {
+    let text = format!(
+        "name = \"two\"\n[parameters]\ngap = 1.0\n[primary]\nname = \"A\"\nrange = [0.1, 1.5]\n[secondary]\nname = \"omega\"\n\
+         range = [0.4, 1.1]\n[motion]\nforce = \"-0.1*v - x + A*cos(omega*t)\"\nfrequency = \"omega\"\n{walls}{impact}[analysis]\n\
+         loops = [1]\n"
+    );
+    Description::parse(&text, "two.toml").map_err(|error| error.to_string())
+}
+
+const IMPACT: &str = "[impact]\nrestitution = \"0.7\"\nduration = \"0\"\n";
+
+#[test]
+fn two_walls_have_the_motion_between_them_and_their_own_reset_laws() {
+    let walls = "[[walls]]\nposition = \"gap\"\n[[walls]]\nposition = \"-gap + 0.1*cos(omega*t)\"\nrestitution = \"0.5\"\n";
+    let first = between(walls, IMPACT).expect("it is right");
+    assert!(first.has_two_walls());
+    let [upper, lower] = [0, 1].map(|k| first.from_each_wall().nth(k).expect("there are two"));
+    assert_eq!([upper.wall().side(), lower.wall().side()], [Side::Below, Side::Above]);
+    assert_eq!([&upper, &lower].map(|seen| seen.restitution(0.3, 0.0, 1.0, 0.8)), [0.7, 0.5]);
+    // One place of the file, seen from both, a distance D and a rate of it apart.
+    let (at, time) = ([1.0, 0.8], 0.7);
+    let [gap, rate] = upper.gap(time, at[0], at[1]);
+    assert!((gap - (2.0 - 0.1 * libm::cos(0.8 * time))).abs() < 1e-15);
+    assert!((rate - 0.08 * libm::sin(0.8 * time)).abs() < 1e-15);
+    let [from_upper, from_lower] = [&upper, &lower].map(|seen| seen.wall().inside([0.2, -0.4], time, at));
+    assert!((from_lower[0] - (-gap - from_upper[0])).abs() < 1e-15);
+    assert!((from_lower[1] - (-rate - from_upper[1])).abs() < 1e-15);
+    assert!(upper.other_stop().is_some_and(|other| other == lower));
+    assert!(between("", IMPACT).expect("it is right").other_stop().is_none());
+}
+
+#[test]
+fn walls_that_meet_or_contradict_each_other_are_refused_with_the_place() {
+    let wall = |position: &str, rest: &str| format!("[[walls]]\nposition = \"{position}\"\n{rest}");
+    let own = "restitution = \"0.5\"\nduration = \"0\"\n";
+    let refused = |walls: [String; 2], impact: &str, words: &[&str]| {
+        let error = between(&walls.concat(), impact).expect_err("it is wrong");
+        assert!(words.iter().all(|word| error.contains(word)), "{error}");
+    };
+    refused([wall("gap", ""), wall("A - 0.5", "")], IMPACT, &["walls[1].position", "the walls meet", "A = "]);
+    let above = "side = \"above\"\n";
+    refused([wall("gap", above), wall("-gap", above)], IMPACT, &["walls[2].side", "below one of them"]);
+    refused([wall("gap", above), wall("-gap", "")], IMPACT, &["the walls meet"]);
+    refused([wall("gap", own), wall("-gap", "")], "", &["impact is missing"]);
+    refused([wall("gap", ""), "[wall]\nposition = \"0\"\n".to_owned()], IMPACT, &["both [wall] and [[walls]]"]);
+    refused([wall("gap", "stiffness = 3\n"), String::new()], IMPACT, &["unknown key walls[1].stiffness", "rigid"]);
+    assert!(between(&[wall("gap", own), wall("-gap", own)].concat(), "").is_ok());
+    let error = between("[wall]\nposition = \"0\"\nstiffness = 30.0\n", IMPACT).expect_err("a wall is rigid");
+    assert!(error.contains("unknown key wall.stiffness") && error.contains("sqrt(x^2 + s^2)"), "{error}");
+}

@@ -21,7 +21,7 @@ pub(super) fn from_impact_to_impact(
     let impact = OnWall::new(impact[0], impact[1]);
     let other = oscillator.other_stop();
     let seen_from = |stop: usize| other.as_ref().filter(|_| stop == 1).unwrap_or(oscillator);
-    let reset = seen_from(stop).reset::<1>(impact);
+    let reset = seen_from(stop).reset::<1>(impact).derivative();
     let jacobian = match stop {
         0 => oscillator.flow_along::<1>(&flight.motion, flight.from, flight.duration).jacobian,
         _ => {
@@ -30,9 +30,8 @@ pub(super) fn from_impact_to_impact(
         }
     };
     let column = |variable: usize| jacobian.column(variable).into_owned();
-    let (by_velocity, mut by_phase) = (column(flow_variable::VELOCITY), column(flow_variable::PHASE));
+    let (mut by_velocity, mut by_phase) = (column(flow_variable::VELOCITY), column(flow_variable::PHASE));
     let mut by_time = column(flow_variable::DURATION);
-    let mut turned = 1.0;
     if flight.stop != stop {
         let phase = flight.from.phase + frequency * flight.duration;
         let hits = Strike::of(flight).map_or(f64::NAN, |strike| strike.impact[0]);
@@ -40,11 +39,11 @@ pub(super) fn from_impact_to_impact(
         let rates = [by_time[0] + hits, by_time[1] + pushed].map(|sum| -sum / frequency);
         by_phase = -by_phase - Vector2::from(rates);
         by_time = Vector2::new(hits, pushed);
-        turned = -1.0;
+        by_velocity = -by_velocity;
     }
     let on_wall = |by: Vector2<f64>, phase: f64| {
         let late = -by[0] / by_time[0];
         Vector2::new(by[1] + by_time[1] * late, phase + frequency * late)
     };
-    Matrix2::from_columns(&[on_wall(by_velocity * turned, 0.0), on_wall(by_phase, 1.0)]) * reset.derivative()
+    Matrix2::from_columns(&[on_wall(by_velocity, 0.0), on_wall(by_phase, 1.0)]) * reset
 }
