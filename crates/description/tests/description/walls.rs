@@ -108,8 +108,16 @@ fn walls_that_meet_or_contradict_each_other_are_refused_with_the_place() {
     refused([wall("gap", above), wall("-gap", above)], IMPACT, &["walls[2].side", "below one of them"]);
     refused([wall("gap", above), wall("-gap", "")], IMPACT, &["the walls meet"]);
     refused([wall("gap", own), wall("-gap", "")], "", &["impact is missing"]);
-    refused([wall("gap", ""), "[wall]\nposition = \"0\"\n".to_owned()], IMPACT, &["both [wall] and [[walls]]"]);
-    refused([wall("gap", "stiffness = 3\n"), String::new()], IMPACT, &["unknown key walls[1].stiffness", "rigid"]);
+    refused(
+        [wall("gap", ""), "[wall]\nposition = \"0\"\n".to_owned()],
+        IMPACT,
+        &["both [wall] and [[walls]]"],
+    );
+    refused(
+        [wall("gap", "stiffness = 3\n"), String::new()],
+        IMPACT,
+        &["unknown key walls[1].stiffness", "rigid"],
+    );
     assert!(between(&[wall("gap", own), wall("-gap", own)].concat(), "").is_ok());
     let error = between("[wall]\nposition = \"0\"\nstiffness = 30.0\n", IMPACT).expect_err("a wall is rigid");
     assert!(error.contains("unknown key wall.stiffness") && error.contains("sqrt(x^2 + s^2)"), "{error}");
