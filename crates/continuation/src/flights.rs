@@ -195,14 +195,18 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         flights: &[O::Motion],
         of: impl Fn(&O::Motion, f64) -> Option<Maximum>,
     ) -> Option<Maximum> {
-        let spans = self.spans(point);
-        let across = self.flights_across(point).unwrap_or_default();
-        let found = flights.iter().zip(&spans).chain(across.iter().zip(&spans));
-        let found = found.filter_map(|(flight, &[start, duration])| {
-            let top = of(flight, duration)?;
-            Some(Maximum { time: top.time + start, ..top })
-        });
-        found.max_by(|a, b| a.position.total_cmp(&b.position))
+        let highest = |flights: &[O::Motion]| {
+            let spans = self.spans(point);
+            let found = flights.iter().zip(spans).filter_map(|(flight, [start, duration])| {
+                let top = of(flight, duration)?;
+                Some(Maximum { time: top.time + start, ..top })
+            });
+            found.max_by(|a, b| a.position.total_cmp(&b.position))
+        };
+        let own = highest(flights);
+        let Some(across) = self.flights_across(point) else { return own };
+        let both = own.into_iter().chain(highest(&across));
+        both.max_by(|a, b| a.position.total_cmp(&b.position))
     }
 
     /// The time from the first recoil to the next first impact; without impacts the forcing period.

@@ -11,6 +11,7 @@ mod derivative;
 mod exponent;
 mod orbit;
 mod samples;
+mod strike;
 
 use core::f64::consts::TAU;
 
@@ -18,11 +19,12 @@ use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-pub use cycle::{Cycle, Strike, same_impact};
+pub use cycle::Cycle;
 pub use exponent::Exponent;
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
 pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
 pub(crate) use samples::{sampled_flight, sampled_rest};
+pub use strike::{Strike, same_impact};
 
 /// A random point of Π: x uniform between `lowest` and the wall, or between both stops if there are two;
 /// the phase uniform.

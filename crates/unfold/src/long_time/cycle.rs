@@ -3,13 +3,13 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::mps::Multipliers;
-use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd, Orbit};
-use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, OnWall, State, flow_variable};
+use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State, flow_variable};
 use nalgebra::{Matrix2, Vector2};
 
 use super::derivative::from_impact_to_impact;
+use super::strike::Strike;
 use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_RELEASES};
 
 /// Motion that recurs to within this may be about to settle.
@@ -29,47 +29,6 @@ const LATER: f64 = 1e-10;
 const STEPS: u32 = 12;
 /// Last step of Newton's method.
 const SOLVED: f64 = 1e-11;
-
-/// An impact of an orbit, as the stop that it hits sees it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Strike {
-    /// Velocity and phase (y, z).
-    pub impact: Vector2<f64>,
-    /// The stop: 0 for that at x = 0, 1 for the other, if there are two.
-    pub stop: usize,
-}
-
-impl Strike {
-    /// The impact at which a flight ends.
-    pub(crate) fn of<M>(flight: &Flight<M>) -> Option<Self> {
-        match flight.end {
-            FlightEnd::Impact(at) => {
-                Some(Self { impact: Vector2::new(at.velocity, at.phase), stop: flight.stop })
-            }
-            FlightEnd::TimeIsUp(_) => None,
-        }
-    }
-
-    /// Whether both are at one stop and differ by no more than `distance`, as for [`same_impact`].
-    pub(crate) fn is_like(&self, distance: f64, other: &Self) -> bool {
-        self.stop == other.stop && same_impact(distance, &self.impact, &other.impact)
-    }
-
-    /// The extremum x beyond its stop that motion would reach without it, as the first stop sees it, and its
-    /// phase; of two stops, the other has a minimum.
-    pub(crate) fn virtual_top(&self, oscillator: &AnyOscillator) -> Option<[f64; 2]> {
-        let other = oscillator.other_stop().filter(|_| self.stop == 1);
-        let impact = OnWall::new(self.impact[0], self.impact[1]);
-        let top = virtual_map::<_, 1>(other.as_ref().unwrap_or(oscillator), impact, None).ok()?.jet.image();
-        let x = other.map_or(top.position, |other| other.across(top.into()).position);
-        Some([x, top.phase])
-    }
-
-    /// The state at the impact, as its stop sees it.
-    fn state(&self) -> State {
-        State::on_wall(self.impact[0], self.impact[1])
-    }
-}
 
 /// A periodic solution that attracts, with impacts or without, and with rests at the wall or without.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -286,10 +245,4 @@ pub(super) fn state_at(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, t
 /// Whether two phases of releases from rest are the same: they are exact but for rounding.
 pub(super) fn is_same_phase(a: f64, b: f64) -> bool {
     libm::remainder(a - b, TAU).abs() < BETWEEN_RELEASES
-}
-
-/// Whether two impacts (y, z) differ by no more than `distance`, relative to y where that exceeds
-/// one.
-pub fn same_impact(distance: f64, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
-    (a[0] - b[0]).abs() <= distance * a[0].max(1.0) && libm::remainder(a[1] - b[1], TAU).abs() <= distance
 }

@@ -4,7 +4,7 @@ use grazing_model::orbit::Flight;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, OnWall, State, flow_variable};
 use nalgebra::{Matrix2, Vector2};
 
-use super::cycle::Strike;
+use super::strike::Strike;
 
 /// The derivative of the map (y, z) ↦ (y′, z′) from an impact to the end of the flight that follows
 /// it, each as its stop sees it.

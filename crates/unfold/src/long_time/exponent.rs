@@ -3,9 +3,10 @@
 use grazing_model::{AnyOscillator, ImpactOscillator, flow_variable};
 use nalgebra::{Matrix2, Vector2};
 
-use super::cycle::{MOST_PERIODS, Strike, state_at};
+use super::cycle::{MOST_PERIODS, state_at};
 use super::derivative::from_impact_to_impact;
 use super::orbit::{LongOrbit, MotionKind, Releases};
+use super::strike::Strike;
 
 /// The mean rate at which a small displacement grows, with the dimension of a reciprocal time.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,8 @@ use grazing_model::rest::Rest;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyMotion, AnyOscillator, ImpactOscillator, State};
 
-use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, Strike, cycle_lengths, is_same_phase, state_at};
+use super::cycle::{Cycle, MOST_IMPACTS, MOST_PERIODS, cycle_lengths, is_same_phase, state_at};
+use super::strike::Strike;
 
 grazing_results::words! {
     /// The kind of long-term behaviour.
