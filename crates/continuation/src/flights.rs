@@ -51,15 +51,15 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                     (from, oscillator.motion(from))
                 }
             };
-            let next = (index + 1) % count;
+            let next = point.impact((index + 1) % count);
             let end = match self.has_impacts() {
-                true => FlightEnd::Impact(point.impact(next).into()),
+                true => FlightEnd::Impact(next.into()),
                 false => {
                     let phase = oscillator.forcing_frequency().value * duration;
                     FlightEnd::TimeIsUp(motion.at(duration).state(phase))
                 }
             };
-            Flight { start, from, motion, duration, end, stop: self.stop(next), rest: None }
+            Flight { start, from, motion, duration, end, stop: self.stop((index + 1) % count), rest: None }
         };
         motions.into_iter().zip(spans).enumerate().map(flight).collect()
     }

@@ -19,12 +19,12 @@ use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-pub use cycle::Cycle;
+pub use cycle::{Cycle, same_impact};
 pub use exponent::Exponent;
 pub use orbit::{Fate, Horizon, LONGEST_TRANSIENT, LongOrbit, MotionKind, Patience};
 pub use samples::{Trajectory, sampled, sampled_solution, time_of_phase};
 pub(crate) use samples::{sampled_flight, sampled_rest};
-pub use strike::{Strike, same_impact};
+pub use strike::Strike;
 
 /// A random point of Π: x uniform between `lowest` and the wall, or between both stops if there are two;
 /// the phase uniform.

@@ -37,10 +37,10 @@ pub(crate) fn near(oscillator: &AnyOscillator, orbit: &LongOrbit) -> Option<Recu
     let cycle = orbit.cycle.filter(|cycle| cycle.impacts > 0 && cycle.rests == 0)?;
     let frequency = oscillator.forcing_frequency().value;
     let (flights, struck) = (orbit.flights.get(..cycle.impacts)?, orbit.impacts.get(..cycle.impacts)?);
-    let (first, begin) = (struck.first()?, flights.first()?);
+    let (first, begin) = (struck.first()?.impact, flights.first()?);
     let end = |index: usize| flights[index].start + flights[index].duration;
     // Phases are not reduced.
-    let phase = |index: usize| first.impact[1] + frequency * (end(index) - (begin.start + begin.duration));
+    let phase = |index: usize| first[1] + frequency * (end(index) - (begin.start + begin.duration));
     let impacts: Vec<OnWall> =
         struck.iter().enumerate().map(|(index, hit)| OnWall::new(hit.impact[0], phase(index))).collect();
     let all = Unknowns::of_impacts(&impacts, oscillator.parameters());

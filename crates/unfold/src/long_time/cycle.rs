@@ -246,3 +246,16 @@ pub(super) fn state_at(oscillator: &AnyOscillator, flight: &Flight<AnyMotion>, t
 pub(super) fn is_same_phase(a: f64, b: f64) -> bool {
     libm::remainder(a - b, TAU).abs() < BETWEEN_RELEASES
 }
+
+impl Strike {
+    /// Whether both are at one stop and differ by no more than `distance`, as for [`same_impact`].
+    pub(crate) fn is_like(&self, distance: f64, other: &Self) -> bool {
+        self.stop == other.stop && same_impact(distance, &self.impact, &other.impact)
+    }
+}
+
+/// Whether two impacts (y, z) differ by no more than `distance`, relative to y where that exceeds
+/// one.
+pub fn same_impact(distance: f64, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
+    (a[0] - b[0]).abs() <= distance * a[0].max(1.0) && libm::remainder(a[1] - b[1], TAU).abs() <= distance
+}

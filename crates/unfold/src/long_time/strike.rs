@@ -1,7 +1,5 @@
 //! Impacts of orbits, and when two of them are the same.
 
-use core::f64::consts::TAU;
-
 use grazing_model::maps::virtual_map;
 use grazing_model::orbit::{Flight, FlightEnd};
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
@@ -27,11 +25,6 @@ impl Strike {
         }
     }
 
-    /// Whether both are at one stop and differ by no more than `distance`, as for [`same_impact`].
-    pub(crate) fn is_like(&self, distance: f64, other: &Self) -> bool {
-        self.stop == other.stop && same_impact(distance, &self.impact, &other.impact)
-    }
-
     /// The extremum x beyond its stop that motion would reach without it, as the first stop sees it, and its
     /// phase; of two stops, the other has a minimum.
     pub(crate) fn virtual_top(&self, oscillator: &AnyOscillator) -> Option<[f64; 2]> {
@@ -46,10 +39,4 @@ impl Strike {
     pub(super) fn state(&self) -> State {
         State::on_wall(self.impact[0], self.impact[1])
     }
-}
-
-/// Whether two impacts (y, z) differ by no more than `distance`, relative to y where that exceeds
-/// one.
-pub fn same_impact(distance: f64, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
-    (a[0] - b[0]).abs() <= distance * a[0].max(1.0) && libm::remainder(a[1] - b[1], TAU).abs() <= distance
 }
