@@ -83,27 +83,17 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     if let Some(Mistake { message, .. }) = mistake {
         events.send("part", &json!({"view": View::of(&description), "reason": message}));
     }
-    let located = located((&oscillator, &scope), &axes, events)?.asking_for(asked);
-    let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
-    events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
-    events.send("resonances", &resonances(&axes, &located));
-    let ranks = ranks(&located);
-    let followed = located.follow(events, &|resonance, curves: &[DiagramCurve]| {
-        // A resonance has one SN curve, one PD curve, and up to two GZ curves.
-        let mut grazing = 0;
-        let one = |found: &DiagramCurve| {
-            let mut rank = ranks[resonance];
-            if found.kind == Bifurcation::Grazing {
-                rank = 2 * rank + grazing;
-                grazing += 1;
-            }
-            curve(&plane::bifurcation_rows(&axes, &located, found), rank)
-        };
-        events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
-    });
-    let diagram = match *coarse {
-        true => located.with_curves(followed),
-        false => located.with(followed, events),
+    let kept = if *coarse { None } else { events.kept.find(model, view) };
+    let diagram = match kept {
+        Some(kept) => {
+            let diagram = Diagram { oscillator, ..kept };
+            events.send("resonances", &resonances(&axes, &diagram));
+            diagram
+        }
+        None => {
+            let located = located((&oscillator, &scope), &axes, events)?.asking_for(asked);
+            growing(&axes, located, *coarse, events)
+        }
     };
     // These contain everything that was sent before, and the curves that begin elsewhere.
     let rows = plane::curves(&axes, &diagram);
@@ -154,6 +144,31 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         events.kept.add(model, view, diagram);
     }
     Ok(())
+}
+
+/// The diagram of what is located, whose curves are sent as they are found; with its regions unless it is coarse.
+fn growing(axes: &Axes, located: Diagram, coarse: bool, events: &Events) -> Diagram {
+    let grazing = (0..).zip(plane::grazing_rows(axes, &located));
+    events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
+    events.send("resonances", &resonances(axes, &located));
+    let ranks = ranks(&located);
+    let followed = located.follow(events, &|resonance, curves: &[DiagramCurve]| {
+        // A resonance has one SN curve, one PD curve, and up to two GZ curves.
+        let mut grazing = 0;
+        let one = |found: &DiagramCurve| {
+            let mut rank = ranks[resonance];
+            if found.kind == Bifurcation::Grazing {
+                rank = 2 * rank + grazing;
+                grazing += 1;
+            }
+            curve(&plane::bifurcation_rows(axes, &located, found), rank)
+        };
+        events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
+    });
+    match coarse {
+        true => located.with_curves(followed),
+        false => located.with(followed, events),
+    }
 }
 
 /// The place of each resonance among those with the same p and n whose curves are followed.

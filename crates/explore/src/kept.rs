@@ -1,4 +1,4 @@
-//! The diagrams that were computed last.
+//! The diagrams that were asked for last.
 
 use std::collections::VecDeque;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -11,12 +11,13 @@ use crate::model::{Model, View};
 /// Diagrams by model and view, newest first.
 type Last = VecDeque<(String, Diagram)>;
 
-/// The diagrams that were computed last with all their regions: measurements are compared with them.
+/// The diagrams that were asked for last, with all their regions: they are sent again at once, and measurements are
+/// compared with them.
 pub(crate) struct Kept(Mutex<Last>);
 
 impl Kept {
     /// The number of diagrams.
-    const MOST: usize = 2;
+    const MOST: usize = 4;
 
     pub(crate) const fn none() -> Self {
         Self(Mutex::new(VecDeque::new()))
@@ -34,7 +35,12 @@ impl Kept {
     /// it was computed for.
     pub(crate) fn find(&self, model: &Model, view: &View) -> Option<Diagram> {
         let key = Self::key(model, view);
-        self.all().iter().find(|(other, _)| *other == key).map(|(_, diagram)| diagram.clone())
+        let mut all = self.all();
+        let place = all.iter().position(|(other, _)| *other == key)?;
+        let found = all.remove(place)?;
+        let diagram = found.1.clone();
+        all.push_front(found);
+        Some(diagram)
     }
 
     pub(crate) fn add(&self, model: &Model, view: &View, diagram: Diagram) {
