@@ -23,6 +23,7 @@ use serde_json::{Value, json};
 
 use crate::answer::Problem;
 use crate::events::Events;
+use crate::kept::Sent;
 use crate::model::{Model, View};
 use crate::place;
 
@@ -52,7 +53,7 @@ pub(crate) fn known(
     if stop.is_asked() {
         return Err(Problem::ended());
     }
-    events.kept.add(model, view, diagram.clone());
+    events.kept.add(model, view, diagram.clone(), Sent::new());
     Ok((axes, diagram))
 }
 
@@ -78,33 +79,25 @@ pub(crate) fn located(
 
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let DiagramRequest { model, view, coarse } = request;
+    if !coarse && let Some(sent) = events.kept.sent(model, view) {
+        sent.iter().for_each(|(name, data)| events.send(name, data));
+        return Ok(());
+    }
+    let mut sent: Sent = Vec::new();
+    let mut tell = |name: &'static str, data: Value| {
+        events.send(name, &data);
+        sent.push((name, data));
+    };
     let (description, mistake) = model.viewed(Some(view), stop)?;
     let Prepared { oscillator, scope, asked, axes } = model.prepare(&description, stop)?;
     if let Some(Mistake { message, .. }) = mistake {
-        events.send("part", &json!({"view": View::of(&description), "reason": message}));
+        tell("part", json!({"view": View::of(&description), "reason": message}));
     }
     let located = located((&oscillator, &scope), &axes, events)?.asking_for(asked);
     let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
     events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
-    events.send("resonances", &resonances(&axes, &located));
-    let ranks = ranks(&located);
-    let followed = located.follow(events, &|resonance, curves: &[DiagramCurve]| {
-        // A resonance has one SN curve, one PD curve, and up to two GZ curves.
-        let mut grazing = 0;
-        let one = |found: &DiagramCurve| {
-            let mut rank = ranks[resonance];
-            if found.kind == Bifurcation::Grazing {
-                rank = 2 * rank + grazing;
-                grazing += 1;
-            }
-            curve(&plane::bifurcation_rows(&axes, &located, found), rank)
-        };
-        events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
-    });
-    let diagram = match *coarse {
-        true => located.with_curves(followed),
-        false => located.with(followed, events),
-    };
+    tell("resonances", json!(resonances(&axes, &located)));
+    let diagram = growing(&axes, located, *coarse, events);
     // These contain everything that was sent before, and the curves that begin elsewhere.
     let rows = plane::curves(&axes, &diagram);
     let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
@@ -121,7 +114,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     });
     let mut all: Vec<Value> = all.collect();
     all.extend(plane::own_curves(&axes, &diagram).chunk_by(|a, b| a.arc == b.arc).map(own));
-    events.send("curves", &all);
+    tell("curves", json!(all));
     let known = diagram.unfolding().map(|_| Value::Null);
     let known = known.chain(
         diagram
@@ -131,29 +124,51 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     );
     let rows = plane::points(&axes, &diagram);
     let points = rows.iter().zip(known).map(|(row, multipliers)| point(row, multipliers));
-    events.send("points", &points.collect::<Vec<_>>());
+    tell("points", points.collect());
     if !coarse {
         let rows = plane::regions(&axes, &diagram.regions);
         let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
-        events.send("regions", &regions.collect::<Vec<_>>());
+        tell("regions", regions.collect());
     }
     let approximations = approximations(&axes, &diagram);
-    events.send("curves", &approximations);
+    tell("curves", json!(approximations));
     // Curves that were sent under a wrong name, since they were mistaken for others, are not among these.
-    events.send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
+    tell("keys", all.iter().chain(&approximations).map(|curve| curve["key"].clone()).collect());
     let secondary = description.secondary().name();
     let forgotten = diagram.grazing.iter().filter_map(|curve| forgotten(curve, secondary, &axes.units));
     let forgotten = forgotten.map(|words| format!("grazing curve: {words}"));
-    events.send("notes", &plane::lost(&diagram).chain(forgotten).collect::<Vec<_>>());
+    tell("notes", plane::lost(&diagram).chain(forgotten).collect());
     // Regions of stable solutions are shown all the same.
     if let Some(reason) = diagram.nothing() {
         let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);
-        events.send("nothing", &json!({"found": found, "question": question}));
+        tell("nothing", json!({"found": found, "question": question}));
     }
     if !(*coarse || stop.is_asked()) {
-        events.kept.add(model, view, diagram);
+        events.kept.add(model, view, diagram, sent);
     }
     Ok(())
+}
+
+/// The diagram of what is located, whose curves are sent as they are found; with its regions unless it is coarse.
+fn growing(axes: &Axes, located: Diagram, coarse: bool, events: &Events) -> Diagram {
+    let ranks = ranks(&located);
+    let followed = located.follow(events, &|resonance, curves: &[DiagramCurve]| {
+        // A resonance has one SN curve, one PD curve, and up to two GZ curves.
+        let mut grazing = 0;
+        let one = |found: &DiagramCurve| {
+            let mut rank = ranks[resonance];
+            if found.kind == Bifurcation::Grazing {
+                rank = 2 * rank + grazing;
+                grazing += 1;
+            }
+            curve(&plane::bifurcation_rows(axes, &located, found), rank)
+        };
+        events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
+    });
+    match coarse {
+        true => located.with_curves(followed),
+        false => located.with(followed, events),
+    }
 }
 
 /// The place of each resonance among those with the same p and n whose curves are followed.

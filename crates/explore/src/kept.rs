@@ -1,22 +1,26 @@
-//! The diagrams that were computed last.
+//! The diagrams that were asked for last.
 
 use std::collections::VecDeque;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use grazing_unfold::Diagram;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::model::{Model, View};
 
-/// Diagrams by model and view, newest first.
-type Last = VecDeque<(String, Diagram)>;
+/// Events in the order in which they were sent, without those of progress and of curves that were not all.
+pub(crate) type Sent = Vec<(&'static str, Value)>;
 
-/// The diagrams that were computed last with all their regions: measurements are compared with them.
+/// Diagrams by model and view, newest first, each with what was sent of it.
+type Last = VecDeque<(String, Diagram, Sent)>;
+
+/// The diagrams that were asked for last, with all their regions: they are sent again at once, and measurements are
+/// compared with them.
 pub(crate) struct Kept(Mutex<Last>);
 
 impl Kept {
     /// The number of diagrams.
-    const MOST: usize = 2;
+    const MOST: usize = 4;
 
     pub(crate) const fn none() -> Self {
         Self(Mutex::new(VecDeque::new()))
@@ -34,14 +38,25 @@ impl Kept {
     /// it was computed for.
     pub(crate) fn find(&self, model: &Model, view: &View) -> Option<Diagram> {
         let key = Self::key(model, view);
-        self.all().iter().find(|(other, _)| *other == key).map(|(_, diagram)| diagram.clone())
+        self.all().iter().find(|(other, ..)| *other == key).map(|(_, diagram, _)| diagram.clone())
     }
 
-    pub(crate) fn add(&self, model: &Model, view: &View, diagram: Diagram) {
+    /// What was sent of the diagram of a view, if it is among the last; it then is the newest.
+    pub(crate) fn sent(&self, model: &Model, view: &View) -> Option<Sent> {
         let key = Self::key(model, view);
         let mut all = self.all();
-        all.retain(|(other, _)| *other != key);
-        all.push_front((key, diagram));
+        let place = all.iter().position(|(other, _, sent)| *other == key && !sent.is_empty())?;
+        let found = all.remove(place)?;
+        let sent = found.2.clone();
+        all.push_front(found);
+        Some(sent)
+    }
+
+    pub(crate) fn add(&self, model: &Model, view: &View, diagram: Diagram, sent: Sent) {
+        let key = Self::key(model, view);
+        let mut all = self.all();
+        all.retain(|(other, ..)| *other != key);
+        all.push_front((key, diagram, sent));
         all.truncate(Self::MOST);
     }
 }

@@ -168,6 +168,7 @@ pub(crate) fn quick_parameters() -> String {
         ("[beyond_attractors]", "columns", "16"),
         ("[beyond_attractors]", "rows", "16"),
         ("[beyond_proofs]", "panels", "1"),
+        ("[beyond_generations]", "rounds", "[1]"),
     ] {
         parameters = edited(&parameters, section, key, &format!("{key} = {value}"));
     }

@@ -40,7 +40,7 @@ fn assert_all_named(page: &mut Browser) -> usize {
 
 #[test]
 fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     plane_key(&mut page, "h");
     page.press("k");
@@ -95,7 +95,7 @@ fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
 
 #[test]
 fn light_and_dark_follow_the_system_and_the_button() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let brightness = "(() => { const c = document.getElementById('plane'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; \
                       let [sum, n] = [0, 0]; for (let i = 0; i < d.length; i += 4) if (d[i + 3] === 255) { sum += d[i] + d[i + 1] + d[i + 2]; n += 3; } return sum / n; })()";
@@ -125,7 +125,7 @@ fn light_and_dark_follow_the_system_and_the_button() {
 
 #[test]
 fn all_that_is_seen_is_exported_as_picture_and_numbers() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let at = super::spot(&mut page, [0.9, 0.8]);
     page.click_at(at);
@@ -177,7 +177,7 @@ fn all_that_is_seen_is_exported_as_picture_and_numbers() {
 
 #[test]
 fn on_a_phones_side_plane_and_answer_stand_side_by_side() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open([844, 390]) else { return };
     page.value("use('state').then(([s]) => s.update({place: [0.9, 0.8]}))");
     page.wait(PLACE);
@@ -189,7 +189,7 @@ fn on_a_phones_side_plane_and_answer_stand_side_by_side() {
 
 #[test]
 fn who_wants_no_motion_sees_none() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     page.prefer("prefers-reduced-motion", "reduce");
     page.wait("matchMedia('(prefers-reduced-motion: reduce)').matches");
@@ -203,7 +203,7 @@ fn who_wants_no_motion_sees_none() {
 
 #[test]
 fn an_address_brings_back_everything_that_was_seen() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     page.value("document.querySelector('#loops-list input[value=\"3\"]').click()");
     page.value("document.getElementById('constant-zeta').focus()");
@@ -248,7 +248,7 @@ fn an_address_brings_back_everything_that_was_seen() {
 
 #[test]
 fn whatever_an_address_says_is_read_as_a_state_or_refused() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     // Values of all kinds under every name, and changed bytes and letters, all of them seeded.
     let wrong = page.value(
@@ -280,7 +280,7 @@ fn whatever_an_address_says_is_read_as_a_state_or_refused() {
 
 #[test]
 fn no_command_is_offered_that_carries_more_than_text_into_a_shell() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     let of = |page: &mut Browser, name: &str| {
         page.value(&format!(
@@ -306,7 +306,7 @@ fn no_command_is_offered_that_carries_more_than_text_into_a_shell() {
 
 #[test]
 fn on_a_phone_the_view_is_shared_and_numbers_are_exported() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     let home = tempfile::tempdir().unwrap();
     page.permit(home.path());

@@ -12,7 +12,7 @@ const DROP: &str = "(text) => { const data = new DataTransfer(); data.items.add(
 
 #[test]
 fn straightened_coordinates_come_when_asked_for_and_by_themselves_where_all_curves_lie_on_one_line() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     assert_eq!(page.value("document.getElementById('straightened').hidden"), true);
     let asked = "(() => { const ask = window.fetch.bind(window); window.asked = []; window.fetch = (path, options) => { if (path === './export') window.asked.push(JSON.parse(options.body).of); return ask(path, options); }; })()";
@@ -89,7 +89,7 @@ fn a_file_of_measurements_is_shown_at_once_and_compared_without_new_curves() {
 
 #[test]
 fn a_solution_is_followed_at_its_velocity_and_along_a_parameter() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let at = spot(&mut page, [0.9, 0.8]);
     page.click_at(at);

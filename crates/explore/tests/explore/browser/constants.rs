@@ -48,7 +48,7 @@ const NUMBERED: &str = "use('diagram').then(([d]) => [...d.diagram.curves.values
 
 #[test]
 fn curves_that_no_resonance_leads_to_keep_their_numbers_in_one_drag_as_in_small_steps() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let at_once = |page: &mut Browser, steps: u32| {
         page.value(&format!(
@@ -104,7 +104,7 @@ const STEPS: u32 = 6;
 
 #[test]
 fn a_curve_that_goes_leaves_the_others_their_numbers_and_one_that_comes_gets_a_new_one() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let mut names = |before: &str, list: &str| {
         page.value(&format!(
@@ -144,7 +144,7 @@ const COUNT_COARSE: &str = "(() => { window.coarse = 0; const ask = window.fetch
 
 #[test]
 fn a_slider_moves_the_diagram_while_it_is_dragged_and_completes_it_when_it_rests() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let before = page.value(CURVES);
     let [x, y] = page.middle("#constant-zeta");
@@ -184,7 +184,7 @@ fn a_slider_moves_the_diagram_while_it_is_dragged_and_completes_it_when_it_rests
 
 #[test]
 fn constants_are_moved_by_keys_typed_and_taken_back() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     page.value("document.getElementById('constant-epsilon').focus()");
     page.press("ArrowLeft");
@@ -251,7 +251,7 @@ fn what_is_not_of_the_constants_that_were_typed_fades_at_once() {
 
 #[test]
 fn on_a_phone_a_slider_follows_the_finger() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     let [x, y] = page.middle("#constant-zeta");
     page.touch([[x - 20.0, y], [x + 20.0, y]], 3);

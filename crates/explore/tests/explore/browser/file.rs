@@ -23,7 +23,7 @@ fn type_behind(page: &mut Browser, before: &str, text: &str) {
 
 #[test]
 fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     choose_duffing(&mut page);
     plane_key(&mut page, "e");
@@ -84,7 +84,7 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
 
 #[test]
 fn examples_and_the_paper_are_in_the_menu() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let menu = page.value("[...document.getElementById('oscillator').options].filter((o) => !o.hidden).map((o) => o.textContent)");
     assert_eq!(menu, serde_json::json!(["Paper", "Duffing"]));
@@ -101,7 +101,7 @@ fn examples_and_the_paper_are_in_the_menu() {
 
 #[test]
 fn on_a_phone_the_file_is_edited_as_well() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     choose_duffing(&mut page);
     page.click("[data-command=edit]", [0.0, 0.0]);

@@ -12,8 +12,8 @@ mod overlay;
 mod places;
 mod plane;
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
@@ -35,6 +35,14 @@ struct Running {
 }
 
 impl Running {
+    /// The server of all tests for which it does not matter that a diagram is known already: it sends the whole
+    /// diagram at once that many of them begin with.
+    fn shared() -> &'static Self {
+        static SHARED: LazyLock<Running> = LazyLock::new(Running::new);
+        &SHARED
+    }
+
+    /// A server that knows no diagram yet.
     fn new() -> Self {
         Self::with(Limits { time: HOUR, patience: HOUR, ..Limits::default() })
     }

@@ -11,7 +11,7 @@ pub(crate) const DONE: &str = "!document.documentElement.hasAttribute('data-busy
 
 #[test]
 fn simulation_agrees_with_the_shading_and_marks_what_does_not() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     page.click("[data-command=overlay]", [0.0, 0.0]);
     let told = page.wait(DONE);
@@ -34,7 +34,7 @@ fn simulation_agrees_with_the_shading_and_marks_what_does_not() {
 
 #[test]
 fn an_unfinished_view_goes_on_where_it_was_after_zooming_back() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     plane_key(&mut page, "o");
     page.wait(&format!("{SEEN}.then((seen) => seen >= 500)"));
@@ -55,7 +55,7 @@ fn an_unfinished_view_goes_on_where_it_was_after_zooming_back() {
 
 #[test]
 fn a_part_of_the_plane_is_simulated_anew() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     plane_key(&mut page, "o");
     page.wait(&format!("{SEEN}.then((seen) => seen >= 100)"));

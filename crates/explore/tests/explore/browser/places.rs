@@ -15,7 +15,7 @@ fn is_drawn(page: &mut Browser, selector: &str) {
 
 #[test]
 fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     // Far above grazing, at a high frequency, every motion converges to a solution of one loop.
     let busy = spot(&mut page, [0.9, 0.8]);
@@ -67,7 +67,7 @@ fn a_place_tells_what_motion_comes_to_and_follows_the_pointer() {
 
 #[test]
 fn nothing_moves_but_what_changes() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     // Long after the last step all labels are placed.
     let placed = "use('plane').then(([p]) => p.words().map(({text, at}) => [text.map(([word]) => word).join(''), ...at]))";
@@ -102,7 +102,7 @@ fn nothing_moves_but_what_changes() {
 
 #[test]
 fn a_place_goes_exactly_onto_a_curve_and_a_point_where_its_multipliers_are_told() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let told = "document.querySelector('.on').textContent";
     for (kind, multiplier) in [("PD", "−1"), ("SN", "1"), ("GZ", ""), ("graz", "")] {
@@ -140,7 +140,7 @@ fn a_place_goes_exactly_onto_a_curve_and_a_point_where_its_multipliers_are_told(
 
 #[test]
 fn two_places_stand_side_by_side_by_keys_alone() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     plane_key(&mut page, "ArrowRight");
     page.wait(PLACE);
@@ -165,7 +165,7 @@ fn two_places_stand_side_by_side_by_keys_alone() {
 
 #[test]
 fn on_a_phone_a_finger_points_and_drags_the_ring() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     let at = spot(&mut page, [0.5, 0.8]);
     page.touch([at, at], 0);
@@ -221,7 +221,7 @@ fn across(page: &mut Browser, share: f64) -> [f64; 2] {
 
 #[test]
 fn a_cut_and_the_plane_point_at_each_other() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let at = spot(&mut page, [0.4, 0.8]);
     page.click_at(at);
@@ -247,7 +247,7 @@ fn a_cut_and_the_plane_point_at_each_other() {
 
 #[test]
 fn cuts_are_made_and_walked_along_by_keys() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     // Along the frequency motion is integrated: one number of loops is enough here.
     for loops in [2, 3] {

@@ -45,7 +45,7 @@ fn under(page: &mut Browser, [x, y]: [f64; 2]) -> [f64; 2] {
 
 #[test]
 fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     // Around the middle of the first PD curve and of the first GZ curve.
     let middles = page.value(
@@ -124,7 +124,7 @@ fn views_without_grazing_show_what_is_there_and_so_do_their_addresses() {
 
 #[test]
 fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let middle = page.middle("#plane");
     let view = |page: &mut Browser| {
@@ -166,7 +166,7 @@ fn zooming_by_wheel_box_and_drag_computes_anew_and_going_back_undoes_each() {
 
 #[test]
 fn zooming_goes_down_to_a_billionth_about_a_resonance() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(DESK) else { return };
     let stage = "(({left, top, width, height}) => [left, top, width, height])(document.getElementById('stage').getBoundingClientRect())";
     let before = page.value(stage);
@@ -222,7 +222,7 @@ fn zooming_goes_down_to_a_billionth_about_a_resonance() {
 
 #[test]
 fn on_a_phone_the_plane_is_pinched_and_nothing_is_wider_than_the_screen() {
-    let server = Running::new();
+    let server = Running::shared();
     let Some(mut page) = server.open(PHONE) else { return };
     assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
     let small = "[...document.querySelectorAll('button')].filter(b => b.offsetParent && Math.min(b.offsetWidth, \

@@ -270,6 +270,13 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     for early in &sent[..sent.len() - 2] {
         assert!(keys(early).iter().all(|key| last.contains(key)), "{early}");
     }
+    // A diagram that is known is sent again, whole and at once.
+    let (_, again) = server.post("diagram", &asked.to_string());
+    assert!(events(&again, "progress").is_empty(), "{again}");
+    assert!(events(&again, "curves") == sent[sent.len() - 2..], "{again}");
+    for name in ["resonances", "points", "regions", "keys", "notes", "nothing"] {
+        assert!(events(&again, name) == events(&stream, name), "{name}: {again}");
+    }
 }
 
 #[test]
