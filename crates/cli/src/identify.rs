@@ -24,6 +24,8 @@ use crate::{data_page, tables, terminal};
 
 /// The folder of the results, with a folder in it for each file.
 const RESULTS: &str = "identified";
+/// The output, in messages.
+const OUTPUT: &str = "identify";
 
 /// Identifies constants and writes them, with the residual of each measured number.
 ///
@@ -91,7 +93,7 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let names = axes(&of.description).names;
     let mut files = Vec::new();
     for table in identified.tables(&names) {
-        files.push(tables::file(&table));
+        files.push(tables::file(&table, OUTPUT)?);
     }
     files.push(data_page::of_an_oscillator(Identified::TABLES.iter().copied(), &names));
     let written = folder::write_run(&folder, &files, false)?;

@@ -241,7 +241,7 @@ impl ComputedOutput {
             }
         }
         for table in &self.tables {
-            files.push(tables::file(table));
+            files.push(tables::file(table, "tables")?);
             if edition.has(Format::Parquet) {
                 files.push(tables::parquet_file(table, "tables")?);
             }

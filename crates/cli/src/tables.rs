@@ -1,10 +1,10 @@
 //! Tables as arrays of Arrow, and from these as CSV and as Parquet, the same bytes on every machine.
 
-use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use grazing_results::{Cell, Table};
+use polars::prelude::{Column, CsvWriter, DataFrame, PolarsResult, SerWriter, Series};
 use polars_arrow::array::{
     Array, BooleanArray, Float64Array, NullArray, StructArray, UInt32Array, Utf8Array,
 };
@@ -74,45 +74,21 @@ fn array(table: &Table, place: usize) -> Box<dyn Array> {
 
 /// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as
 /// `0.0`, and an empty cell for null.
-pub fn csv(table: &Table) -> Vec<u8> {
-    let (_, length, arrays, _) = columns(table).into_data();
-    let columns: Vec<Vec<String>> = arrays.iter().map(|array| cells(&**array)).collect();
-    let header = table.headers.iter().map(|header| quoted(header)).collect::<Vec<_>>().join(",");
-    let row = |row: usize| columns.iter().map(|cells| &*cells[row]).collect::<Vec<_>>().join(",");
-    let lines = std::iter::once(header).chain((0..length).map(row));
-    lines.flat_map(|line| [line, "\n".to_owned()]).collect::<String>().into_bytes()
-}
-
-/// The cells of a column as they stand in CSV.
-fn cells(array: &dyn Array) -> Vec<String> {
-    fn written<T>(all: impl Iterator<Item = Option<T>>, one: impl Fn(T) -> String) -> Vec<String> {
-        all.map(|cell| cell.map_or_else(String::new, &one)).collect()
-    }
-    let array = array.as_any();
-    if let Some(text) = array.downcast_ref::<Utf8Array<i64>>() {
-        written(text.iter(), quoted)
-    } else if let Some(numbers) = array.downcast_ref::<Float64Array>() {
-        written(numbers.iter(), |number| format!("{number:.DECIMALS$e}"))
-    } else if let Some(counts) = array.downcast_ref::<UInt32Array>() {
-        written(counts.iter(), u32::to_string)
-    } else if let Some(flags) = array.downcast_ref::<BooleanArray>() {
-        written(flags.iter(), |flag| flag.to_string())
-    } else {
-        Vec::new()
-    }
-}
-
-/// A text as a cell, between quotation marks where it has to be: an empty one is not null.
-fn quoted(text: &str) -> String {
-    if text.is_empty() || text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
+pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
+    let (fields, _, arrays, _) = columns(table).into_data();
+    let column = |(field, array)| Series::try_from((field, vec![array])).map(Column::from);
+    let columns = fields.iter().zip(arrays).map(column).collect::<PolarsResult<_>>()?;
+    let mut bytes = Vec::new();
+    CsvWriter::new(&mut bytes)
+        .include_header(true)
+        .with_float_scientific(Some(true))
+        .with_float_precision(Some(DECIMALS))
+        .finish(&mut DataFrame::new_infer_height(columns)?)?;
+    Ok(bytes)
 }
 
 /// The table as Parquet, not compressed: that would need a C compiler, and a table has a few thousand rows.
-pub fn parquet(table: &Table) -> Result<Vec<u8>, Box<dyn Error>> {
+pub fn parquet(table: &Table) -> PolarsResult<Vec<u8>> {
     let (fields, length, arrays, _) = columns(table).into_data();
     let options = WriteOptions {
         statistics: StatisticsOptions::default(),
@@ -130,14 +106,15 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(writer.into_inner())
 }
 
-/// The CSV file of a table.
-pub(crate) fn file(table: &Table) -> OutputFile {
-    OutputFile { path: path(table.name), content: csv(table) }
+/// The CSV file of a table, computed for this output.
+pub(crate) fn file(table: &Table, output: &'static str) -> Result<OutputFile, Failure> {
+    let content = csv(table).map_err(|error| computation(output, &error))?;
+    Ok(OutputFile { path: path(table.name), content })
 }
 
 /// The Parquet file of a table, computed for this output.
 pub(crate) fn parquet_file(table: &Table, output: &'static str) -> Result<OutputFile, Failure> {
-    let content = parquet(table).map_err(|error| computation(output, &*error))?;
+    let content = parquet(table).map_err(|error| computation(output, &error))?;
     Ok(OutputFile { path: parquet_path(table.name), content })
 }
 

@@ -50,8 +50,10 @@ impl<'a> Keeper<'a> {
     /// Writes the finished curves. The computation goes on if that fails: in the end all files may
     /// well be written.
     pub(super) fn keep(&self, finished: &Table) {
-        let file = OutputFile { path: path(), content: tables::csv(finished) };
-        let written = folder::write(self.folder, &[file]).map_err(|failure| failure.to_string());
+        let written = tables::csv(finished).map_err(|error| error.to_string()).and_then(|content| {
+            let file = OutputFile { path: path(), content };
+            folder::write(self.folder, &[file]).map_err(|failure| failure.to_string())
+        });
         if let Err(reason) = written
             && !self.complained.swap(true, Ordering::Relaxed)
         {

@@ -53,7 +53,7 @@ fn a_place_that_is_none_is_refused_before_anything_is_computed() {
 #[test]
 fn motion_that_rests_at_the_wall_is_named_tabulated_drawn_and_swept_with_nothing_left_out() {
     let folder = empty_folder();
-    let text = "name = \"Chatter\"\nparameters = { zeta = 0.05, r = 0.1 }\nprimary = { name = \"A\", range = [0.0, 1.3] }\n\
+    let text = "name = \"Chatter\"\nparameters = { zeta = 0.05, r = 0.3 }\nprimary = { name = \"A\", range = [0.0, 1.3] }\n\
                 secondary = { name = \"omega\", range = [0.34, 0.36] }\n\
                 motion = { force = \"-2*zeta*v - x - 1 + A*cos(omega*t)\", frequency = \"omega\" }\n\
                 impact = { restitution = \"r\", duration = \"0\" }\nanalysis = { loops = [1] }\n\

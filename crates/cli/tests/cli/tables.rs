@@ -16,7 +16,7 @@ fn table(rows: Vec<[Cell; 4]>) -> Table {
 
 /// The table of these rows as CSV.
 fn written(rows: Vec<[Cell; 4]>) -> String {
-    String::from_utf8(csv(&table(rows))).expect("CSV is text")
+    String::from_utf8(csv(&table(rows)).expect("the table can be written")).expect("CSV is text")
 }
 
 fn row(number: f64) -> [Cell; 4] {

@@ -74,10 +74,13 @@ fn assert_integrated(secondary: [f64; 2], loops: &[u32]) {
 
 #[test]
 fn resonances_under_slow_forcing_have_the_coefficients_of_the_closed_form() {
-    // The whole window of the example; n from 17 to 18 and 58 to 60 for p = 1; 59 to 60 for p = 2 and 3.
+    // The whole window of the example; n from 17 to 18, 38 to 39 and 58 to 60 for p = 1; from 13 to
+    // 15 and 59 to 60 for p = 2 and 3.
     assert_integrated([0.3, 1.1], &[1, 2, 3]);
     assert_integrated([0.11, 0.12], &[1]);
+    assert_integrated([0.05, 0.054], &[1]);
     assert_integrated([0.0333, 0.0345], &[1]);
+    assert_integrated([0.065, 0.075], &[2, 3]);
     assert_integrated([0.0165, 0.0169], &[2, 3]);
 }
 

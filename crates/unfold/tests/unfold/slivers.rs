@@ -45,7 +45,7 @@ fn what_is_found_in_a_part_of_a_window_is_what_the_closed_form_has_there() {
     // More windows: `grazing-trials windows`.
     let mut random = Random::new(26);
     for [zeta, epsilon] in [[0.02, 0.9], [0.1, 0.7], [0.0131, 0.907]] {
-        for part in 0..=5 {
+        for part in 0..=10 {
             let window = if part == 0 { FIGURE_7 } else { lines::part(FIGURE_7, &mut random) };
             let outcome = lines::compare([zeta, epsilon], window, &[1, 2, 3], 100, &mut random);
             assert!(outcome.wrong.is_empty(), "{zeta} {epsilon} {window:?}: {:?}", outcome.wrong);
