@@ -49,6 +49,15 @@ function pathOf({ rings }) {
   return path;
 }
 
+/** The label of a region: p, or with several impacts K/P; none where nothing is stable for sure. */
+function nameOf({ kind, p, impacts }) {
+  if (kind === "mps") return [["p", "italic"], [` = ${p}`, ""]];
+  return kind === "several-impacts" ? [[`${impacts}/${p}`, ""]] : null;
+}
+
+/** Regions with labels, each with the number by which its labels are known. */
+const named = (regions) => regions.filter(nameOf).map((region) => ({ ...region, p: region.impacts ? `${region.impacts}/${region.p}` : region.p, text: nameOf(region) }));
+
 /**
  * The labels p = ... of regions: each at the place that is farthest from everything, outside other regions if possible.
  */
@@ -57,18 +66,18 @@ function regionLabels(frame, regions, map, placed) {
   const inside = (index, x, y) => isInside(paths[index], x, y);
   const step = 2 * CELL;
   regions.forEach((region, index) => {
-    if (region.kind !== "mps" || placed.some(({ kind, p, x, y }) => kind === "region" && p === region.p && inside(index, x, y))) return;
+    if (placed.some(({ kind, p, x, y }) => kind === "region" && p === region.p && inside(index, x, y))) return;
     let best = { score: 0 };
     for (let x = frame.x + 24; x < frame.x + frame.w - 24; x += step) {
       for (let y = frame.y + 10; y < frame.y + frame.h - 10; y += step) {
         const room = map.at(x, y);
         if (room < 9 || room <= best.score || !inside(index, x, y) || !clear(map, placed, x, y, 20)) continue;
-        const others = regions.filter((other, at) => at !== index && other.kind === "mps" && other.p !== region.p && inside(at, x, y)).length;
+        const others = regions.filter((other, at) => at !== index && other.p !== region.p && inside(at, x, y)).length;
         const score = room / (1 + 3 * others);
         if (score > best.score) best = { score, x, y };
       }
     }
-    if (best.score > 0) placed.push({ text: [["p", "italic"], [` = ${region.p}`, ""]], x: best.x, y: best.y, half: 20, kind: "region", p: region.p });
+    if (best.score > 0) placed.push({ text: region.text, x: best.x, y: best.y, half: 20, kind: "region", p: region.p });
   });
 }
 
@@ -83,7 +92,7 @@ const reaches = ({ points }, { x, y, half }) => points.some(([px, py], at) => at
 
 /** Keeps labels in place if they are still clear, and beside their curve or in their region. */
 function keepLabels(runs, regions, map, placed, before) {
-  const paths = regions.filter(({ kind }) => kind === "mps").map((region) => [region.p, pathOf(region)]);
+  const paths = regions.map((region) => [region.p, pathOf(region)]);
   for (const each of before) {
     const { kind, key, p, x, y, half } = each;
     const own = kind === "region" ? paths.some(([of, path]) => of === p && isInside(path, x, y)) : runs.some((run) => run.curve.key === key && reaches(run, each));
@@ -125,8 +134,9 @@ function curveLabels(frame, runs, map, placed) {
 export function placeLabels(frame, runs, regions, points, before) {
   const map = distances(frame, runs, points);
   const placed = [];
-  keepLabels(runs, regions, map, placed, before);
-  regionLabels(frame, regions, map, placed);
+  const own = named(regions);
+  keepLabels(runs, own, map, placed, before);
+  regionLabels(frame, own, map, placed);
   curveLabels(frame, runs, map, placed);
   return placed;
 }

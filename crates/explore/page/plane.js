@@ -77,10 +77,10 @@ function hatching(context, ink) {
 
 function drawRegions(context, regions, ink) {
   context.globalAlpha = strength(diagram.of.regions);
-  for (const kind of ["non-impacting", "mps", "undecided"]) {
+  for (const kind of ["non-impacting", "several-impacts", "mps", "undecided"]) {
     const own = regions.filter((region) => region.kind === kind);
     if (own.length === 0) continue;
-    context.fillStyle = kind === "mps" ? ink.stable : kind === "undecided" ? hatching(context, ink) : ink.calm;
+    context.fillStyle = { mps: ink.stable, "several-impacts": ink.area, undecided: hatching(context, ink) }[kind] ?? ink.calm;
     for (const region of own) {
       context.beginPath();
       for (const ring of region.rings) trace(context, ring, true);

@@ -74,7 +74,7 @@ function shading({ view, columns, rows }) {
   };
   const of = new Map();
   return (p, column, row) => {
-    if (!of.has(p)) of.set(p, coverage(diagram.regions.filter((region) => (region.kind === "undecided" && (!region.p || region.p === p)) || (p === 0 ? region.kind === "non-impacting" : region.kind === "mps" && region.p === p))));
+    if (!of.has(p)) of.set(p, coverage(diagram.regions.filter((region) => (region.kind === "undecided" && !region.impacts && (!region.p || region.p === p)) || (p === 0 ? region.kind === "non-impacting" : region.kind === "mps" && region.p === p))));
     return of.get(p)[4 * ((rows - 1 - row) * columns + column) + 3] > 0;
   };
 }

@@ -10,12 +10,13 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
-use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SpecialPoint};
+use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, SpecialPoint};
 use grazing_source::Mistake;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
+use grazing_unfold::sequences::sequences;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, Scope};
 use serde::Deserialize;
@@ -125,10 +126,11 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     let rows = plane::points(&axes, &diagram);
     let points = rows.iter().zip(known).map(|(row, multipliers)| point(row, multipliers));
     tell("points", points.collect());
+    let mut shown: Vec<Value> = Vec::new();
     if !coarse {
         let rows = plane::regions(&axes, &diagram.regions);
-        let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
-        tell("regions", regions.collect());
+        shown = rows.chunk_by(|a, b| a.region == b.region).map(region).collect();
+        tell("regions", json!(shown));
     }
     let approximations = approximations(&axes, &diagram);
     tell("curves", json!(approximations));
@@ -142,6 +144,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     if let Some(reason) = diagram.nothing() {
         let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);
         tell("nothing", json!({"found": found, "question": question}));
+    }
+    if !(*coarse || description.generations() < 2) {
+        shown.extend(several(&axes, &diagram, description.generations(), events));
+        tell("regions", json!(shown));
     }
     if !(*coarse || stop.is_asked()) {
         events.kept.add(model, view, diagram, sent);
@@ -261,6 +267,26 @@ fn region(rows: &[RegionVertex]) -> Value {
         "rings": rings.map(ring).collect::<Vec<_>>(),
         "reason": rows[0].reason,
     })
+}
+
+/// The regions of solutions with several impacts, for which a file asks.
+fn several(axes: &Axes, diagram: &Diagram, generations: u32, progress: &dyn Progress) -> Vec<Value> {
+    let rounds: Vec<u32> = (1..=diagram.scope.loops.iter().copied().max().unwrap_or_default()).collect();
+    let found = sequences(diagram, &rounds, generations, progress);
+    let rows = grazing_analysis::sequences::rows(&found, &axes.units).regions;
+    let one = |rows: &[SequenceVertex]| {
+        let rings = rows.chunk_by(|a, b| a.ring == b.ring);
+        let ring =
+            |ring: &[SequenceVertex]| ring.iter().map(|row| [row.primary, row.secondary]).collect::<Vec<_>>();
+        json!({
+            "kind": rows[0].kind.name(),
+            "p": rows[0].periods,
+            "impacts": rows[0].impacts,
+            "rings": rings.map(ring).collect::<Vec<_>>(),
+            "reason": rows[0].reason,
+        })
+    };
+    rows.chunk_by(|a, b| a.region == b.region).map(one).collect()
 }
 
 /// All resonances, with the coefficients that the theorem gives where it holds.

@@ -35,6 +35,7 @@ fn inks(ground: usize) -> Value {
     json!({
         "calm": region(RegionKind::NonImpacting),
         "stable": region(RegionKind::Mps),
+        "area": region(RegionKind::SeveralImpacts),
         "hatching": region(RegionKind::Undecided),
         "marker": hex(MARKER[ground]),
         "rim": hex(MARKER_RIM[ground]),

@@ -5,3 +5,4 @@ mod finished;
 mod nothing;
 mod place;
 mod plane;
+mod walls;
