@@ -17,7 +17,7 @@ fn between(walls: &str) -> Unfolded {
         "name = \"Between\"\nparameters = {{ zeta = 0.04 }}\nprimary = {{ name = \"A\", range = [0.1, 1.6] }}\n\
          secondary = {{ name = \"omega\", range = [0.55, 1.25] }}\n\
          motion = {{ force = \"-2*zeta*v - x + A*cos(omega*t)\", frequency = \"omega\" }}\n\
-         analysis = {{ loops = [1, 2] }}\n{walls}"
+         impact = {{ restitution = \"0.7\", duration = \"0\" }}\nanalysis = {{ loops = [1, 2] }}\n{walls}"
     );
     let description = Description::parse(&text, "between.toml").unwrap_or_else(|error| panic!("{error}"));
     Unfolded::described(&description, &Silent, &Stop::default(), &|_| ()).expect("it grazes")

@@ -167,10 +167,10 @@ fn a_one_parameter_diagram_lists_and_draws_what_its_tables_hold_whichever_parame
     let mut rows = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
     assert_eq!(
         rows.next().expect("a header"),
-        ["diagram", "kind", "p", "omega", "A", "impact_velocity", "x"]
+        ["diagram", "kind", "p", "impacts", "omega", "A", "impact_velocity", "x"]
     );
     let rows: Vec<Vec<&str>> = rows.collect();
-    for (number, across, column) in [("1", "A", 4), ("2", "omega", 3)] {
+    for (number, across, column) in [("1", "A", 5), ("2", "omega", 4)] {
         let head = format!("\nOne-parameter diagram {number}: {across} from ");
         let (_, listed) = DIAGRAMS.0.split_once(&head).unwrap_or_else(|| panic!("{head}: {}", DIAGRAMS.0));
         let words: Vec<Vec<&str>> =

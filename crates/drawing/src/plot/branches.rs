@@ -127,7 +127,8 @@ pub(crate) fn diagram(
         let site = if every_loop || !free { Site::Pieces(&all) } else { Site::Beside(all[0]) };
         labels.add(&text, SMALL_LABEL_SIZE, colour, &site)?;
     }
-    if every_loop {
+    // Names of branches with several impacts leave no room for that of the dots, which the legend explains.
+    if every_loop && pieces.iter().all(|((impacts, _), _)| *impacts < 2) {
         let some: Vec<Spot> = dots.iter().copied().step_by(1 + dots.len() / NAMED_DOTS).rev().collect();
         // Dots that lie beside the branches cannot be mistaken for them.
         let apart = |dot: &Spot| pieces.iter().flat_map(|(_, own)| own).all(|piece| !near(piece, *dot, 6.0));

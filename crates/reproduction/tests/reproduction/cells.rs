@@ -396,6 +396,7 @@ fn the_papers_coefficients_stand_in_their_own_cells() {
     let Pair { saddle_node: sn, period_doubling: pd } = row.measured;
     let wanted = expected! {
         LOOPS: 2,
+        WALL: 0,
         RESONANCE_INDEX: 5,
         SECONDARY_AT_RESONANCE: 0.75,
         PRIMARY_AT_GRAZING: 0.25,
