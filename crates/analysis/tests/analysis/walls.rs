@@ -50,10 +50,10 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
         let other = unfolded.other.as_ref().expect("there are two walls");
         let diagrams = [&unfolded.diagram, &other.diagram];
         let horizon = Horizon { transient: 120, counted: 24, patience: Patience::Drifting, longest: 0 };
-        let starts = Starts { states: 6, horizon, ..Starts::default() };
+        let starts = Starts { states: 4, horizon, ..Starts::default() };
         // Places at which motion without impacts, and with one impact at either wall, was seen; solutions; and regions.
         let (mut settled, mut solved, mut held) = ([0; 3], 0, 0);
-        for _ in 0..150 {
+        for _ in 0..60 {
             let place = unfolded.diagram.scope.window.parameters([uniform(), uniform()]);
             let here = unfolded.diagram.oscillator.with_parameters(place);
             let found =
@@ -92,7 +92,6 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
                 }
             }
         }
-        println!("{name}: {settled:?} {solved} {held}");
-        assert!(settled[0] > 10 && solved > 30 && held > 5, "{name}: {settled:?} {solved} {held}");
+        assert!(settled[0] > 4 && solved > 10 && held > 2, "{name}: {settled:?} {solved} {held}");
     }
 }
