@@ -112,8 +112,8 @@ pub(crate) fn diagram(
         labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
     }
     for &(kind, own, point) in &visible {
-        // Solutions with several impacts have many.
-        if (!every_loop || own.0 > 1) && named.contains(&(kind, own)) {
+        // Solutions with several impacts have too many for names; their colours say the kind.
+        if own.0 > 1 || !every_loop && named.contains(&(kind, own)) {
             continue;
         }
         named.push((kind, own));
