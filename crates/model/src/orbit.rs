@@ -135,7 +135,7 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     }
 
     /// The state as the first stop sees it.
-    fn from_the_first(&self, state: State) -> State {
+    fn seen_from_first(&self, state: State) -> State {
         if self.stop == 0 { state } else { self.seen_from(self.stop).across(state) }
     }
 
@@ -152,7 +152,7 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     /// Follows the orbit to its end.
     pub fn finish(mut self) -> OrbitEnd {
         for _ in self.by_ref() {}
-        self.end.unwrap_or(OrbitEnd::TimeIsUp(self.from_the_first(self.state)))
+        self.end.unwrap_or(OrbitEnd::TimeIsUp(self.seen_from_first(self.state)))
     }
 
     fn reset(&mut self) {
@@ -227,7 +227,7 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
             return None;
         }
         let (start, state, rest) = (self.time, self.state, self.rest.take());
-        let from = self.from_the_first(state);
+        let from = self.seen_from_first(state);
         let left = self.horizon - start;
         if left < 0.0 {
             // The time was up during an impact.

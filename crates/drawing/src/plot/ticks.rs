@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn significant_digits_are_counted_from_the_first() {
+    fn significant_digits_are_counted_seen_from_first() {
         assert_eq!(significant(-123.456, 4), "−123.5");
         assert_eq!(significant(9.8765, 4), "9.877");
         assert_eq!(significant(0.012345, 3), "0.0123");

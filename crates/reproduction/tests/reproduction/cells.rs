@@ -333,6 +333,7 @@ fn coefficients_and_simulations_stand_in_their_own_cells() {
         let slope = |own: bool| if own { at.point.unfolding.derivative } else { f64::NAN };
         let wanted = expected! {
             LOOPS: at.loops,
+            WALL: 0,
             RESONANCE_INDEX: at.n,
             SECONDARY_AT_RESONANCE: at.parameters[1],
             PRIMARY_AT_GRAZING: at.parameters[0],
@@ -396,7 +397,6 @@ fn the_papers_coefficients_stand_in_their_own_cells() {
     let Pair { saddle_node: sn, period_doubling: pd } = row.measured;
     let wanted = expected! {
         LOOPS: 2,
-        WALL: 0,
         RESONANCE_INDEX: 5,
         SECONDARY_AT_RESONANCE: 0.75,
         PRIMARY_AT_GRAZING: 0.25,
