@@ -28,10 +28,8 @@ fn between(walls: &str) -> Unfolded {
 fn holds(diagram: &Diagram, loops: u32, place: [f64; 2]) -> Option<bool> {
     let at = |place: [f64; 2]| {
         let own = diagram.regions.iter().filter(|region| region.loops == loops && region.contains(place));
-        own.fold(Some(false), |found, region| match (found, &region.doubt) {
-            (Some(true), _) | (_, None) => Some(true),
-            _ => None,
-        })
+        let doubtful: Vec<bool> = own.map(|region| region.doubt.is_some()).collect();
+        if doubtful.contains(&false) { Some(true) } else { doubtful.is_empty().then_some(false) }
     };
     let [width, height] = diagram.scope.window.widths();
     let aside = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];

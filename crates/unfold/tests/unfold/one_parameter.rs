@@ -399,7 +399,7 @@ fn several_at(diagram: &OneParameter, across: f64) -> Vec<(f64, Stability)> {
         let [from, to] = [&pair[0], &pair[1]];
         let part = (across - from.primary) / (to.primary - from.primary);
         let shown = from.admissible && to.admissible && (0.0..=1.0).contains(&part);
-        shown.then(|| (from.x + part * (to.x - from.x), from.stable))
+        shown.then_some((from.x + part * (to.x - from.x), from.stable))
     };
     strands.flat_map(|run| run.windows(2)).filter_map(at).collect()
 }
