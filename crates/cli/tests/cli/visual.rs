@@ -242,7 +242,9 @@ fn every_element_of_a_figure_can_be_drawn_and_no_coordinate_is_infinite() {
 
 #[test]
 fn every_kind_of_curve_in_the_data_is_named_in_its_figure() {
-    for output in outputs::ALL.iter().filter(|output| output.is_figure) {
+    // Bifurcations of solutions with several impacts are discs in the colours of their kinds, without names.
+    let figures = outputs::ALL.iter().filter(|output| output.is_figure);
+    for output in figures.filter(|output| output.name != "beyond_branches") {
         let file = repository().join("figures").join(output.figure_file());
         let svg = fs::read_to_string(file).expect("the figure is there");
         let texts = Drawing::read(&svg).expect("the figure can be read").texts();
