@@ -22,7 +22,7 @@ use crate::long_time::{
 use crate::progress::Progress;
 use crate::search;
 pub use crate::settled::Kind;
-use crate::settled::{Recurring, Through, equations, solution};
+use crate::settled::{Recurring, Through, equations, kind, solution};
 use crate::slices::passing;
 use crate::tolerances::BETWEEN_ORBITS;
 
@@ -388,7 +388,7 @@ fn on_branches(oscillator: &AnyOscillator, scope: &Scope, settled: &[Recurring])
     let mut found: Vec<Recurring> = Vec::new();
     for (equations, branch) in through.branches(&starts, &[]) {
         for place in passing(&branch, unknown::PRIMARY, primary) {
-            let kind = (equations.loops(), equations.stops().to_vec());
+            let kind = kind(&equations);
             let new = solution(&equations, &place, here).filter(|point| {
                 point.lowest_velocity().1 > SLOWEST
                     && !equations.recurs_sooner(point)

@@ -27,7 +27,7 @@ pub(crate) fn equations(oscillator: &AnyOscillator, (periods, stops): &Kind) -> 
 }
 
 /// The kind of the solutions of equations.
-fn kind(equations: &LoopEquations) -> Kind {
+pub(crate) fn kind(equations: &LoopEquations) -> Kind {
     (equations.loops(), equations.stops().to_vec())
 }
 
