@@ -9,11 +9,12 @@ use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
     CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction, paper_figures,
 };
+use grazing_results::columns::{C_2GZ, LOOPS, M_2GZ, M_DOUBLED_PD, M_PD, M_SN, RESONANCE_INDEX, SIGMA};
 use grazing_results::plane::StraightenedCurves;
 use grazing_results::{Names, Tables, Title};
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output};
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, PrintedTable};
 use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
@@ -108,16 +109,24 @@ const THEOREMS: Output<Study> = Output {
     )
 };
 
+/// The limit maps that a document prints, with their columns.
+const LIMIT_COLUMNS: PrintedTable =
+    ("beyond_limits", &[LOOPS, RESONANCE_INDEX, SIGMA, M_SN, M_PD, M_2GZ, M_DOUBLED_PD, C_2GZ]);
+
 const LIMITS: Output<Study> = Output {
     label: "tab:limits",
+    printed: Some(LIMIT_COLUMNS),
     check: |study| study.parameters.section::<Figure7>().map(drop),
     keys: Figure7::REMEDY,
     ..Output::new(
         "beyond_limits",
         Title::beyond("the limit map at the resonances of Figure~7"),
         LimitTable::TABLES,
-        |_, study: &Study, _| {
-            Ok(ComputedOutput::new(Vec::new(), study.limits()?.tables(&Names::of_the_paper())))
+        |output, study: &Study, _| {
+            Ok(ComputedOutput {
+                printed: vec![(LIMIT_COLUMNS, output.caption())],
+                ..ComputedOutput::new(Vec::new(), study.limits()?.tables(&Names::of_the_paper()))
+            })
         },
     )
 };

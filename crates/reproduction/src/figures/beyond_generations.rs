@@ -60,6 +60,11 @@ rows! {
         period_doubling: f64 = C_PD,
         period_doubling_fit: f64 = C_PD_FIT,
         period_doubling_error: f64 = C_PD_FIT_ERROR,
+        limit_r: f64 = LIMIT_R,
+        limit_k: f64 = LIMIT_K,
+        limit_d: f64 = LIMIT_D,
+        criticality: f64 = PD_CRITICALITY,
+        doubled_grazing: f64 = C_2GZ,
         fails: String = LATER_FAILS,
     }
 
@@ -212,17 +217,22 @@ fn row(number: u32, found: &LaterResonance) -> LaterRow {
     let [primary, secondary] = located.orbit().oscillator().parameters();
     let map = located.orbit().grazing_point().map;
     let none = Estimate { value: f64::NAN, error: f64::NAN };
-    let (leading, fits, fails) = match &found.resonance.theorem {
-        Ok(point) => {
-            let fit = |condition| measure(point, condition).map_or(none, |measured| measured.coefficient);
-            let leading = point.leading().map(|curve| curve.coefficient);
-            (leading, Pair::CONDITIONS.map(fit), String::new())
-        }
-        Err(violated) => {
-            let missing = Pair { saddle_node: f64::NAN, period_doubling: f64::NAN };
-            (missing, Pair { saddle_node: none, period_doubling: none }, violated.to_string())
-        }
-    };
+    let (leading, fits, [limit_r, limit_k, limit_d, criticality, doubled_grazing], fails) =
+        match &found.resonance.theorem {
+            Ok(point) => {
+                let fit = |condition| measure(point, condition).map_or(none, |measured| measured.coefficient);
+                let leading = point.leading().map(|curve| curve.coefficient);
+                let (here, limit) = (point.resonant_point(), point.resonant_point().limit_map());
+                let [r, k, d] = limit.numbers();
+                let limits = [r, k, d, limit.criticality(), here.doubled_grazing_coefficient()];
+                (leading, Pair::CONDITIONS.map(fit), limits, String::new())
+            }
+            Err(violated) => {
+                let missing = Pair { saddle_node: f64::NAN, period_doubling: f64::NAN };
+                let none = Pair { saddle_node: none, period_doubling: none };
+                (missing, none, [f64::NAN; 5], violated.to_string())
+            }
+        };
     LaterRow {
         number,
         base_loops,
@@ -241,6 +251,11 @@ fn row(number: u32, found: &LaterResonance) -> LaterRow {
         period_doubling: leading.period_doubling,
         period_doubling_fit: fits.period_doubling.value,
         period_doubling_error: fits.period_doubling.error,
+        limit_r,
+        limit_k,
+        limit_d,
+        criticality,
+        doubled_grazing,
         fails,
     }
 }

@@ -60,6 +60,12 @@ columns! {
     M_SLOWEST = "m_slowest", r"M_{-}", "1";
     /// M of the fastest; for an oscillator, as measured
     M_FASTEST = "m_fastest", r"M_{+}", "1";
+    /// r of the limit map Y'² = r Y² + k V² + 2V + M, V' = d V − Y'
+    LIMIT_R = "limit_r", "r", "1";
+    /// k of the limit map
+    LIMIT_K = "limit_k", "k", "1";
+    /// d of the limit map
+    LIMIT_D = "limit_d", "d", "1";
     /// log₁₀ M of the slowest; empty where M is negative
     LOG_M_SLOWEST = "log10_m_slowest", r"\log_{10} M_{-}", "1";
     /// log₁₀ of the width in M

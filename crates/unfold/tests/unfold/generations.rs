@@ -2,8 +2,10 @@
 
 use core::f64::consts::TAU;
 
+use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::criticality::period_doubling;
+use grazing_continuation::curve::{CurveEnd, Route, SolutionCurve, Window};
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
@@ -109,12 +111,53 @@ fn on_the_grazing_curves_of_figure_7_the_theorems_hold_for_solutions_with_impact
     assert!(settled[1] >= 10 && settled[2..].iter().sum::<i32>() >= 4, "{settled:?}");
 }
 
+/// η and (μ − μ_graz)/η² where solutions with twice the impacts graze, which begin at the period doubling at which
+/// the lowest impact velocity is `size`.
+fn doubled_grazing(
+    point: &ResonantGrazingPoint,
+    periods: u32,
+    near: &Unknowns,
+    size: f64,
+) -> Option<[f64; 2]> {
+    let oscillator = point.orbit().oscillator();
+    let halved = LoopEquations::new(oscillator.clone(), periods, Formulation::FixedPhase);
+    let slow = near.beginning_with(near.lowest_velocity().0, periods);
+    let held = [Condition::PERIOD_DOUBLING, Condition::ImpactVelocity(size)];
+    let at = &locate(&halved, held, slow, &mut EventTimes::default()).ok()?;
+    let maps = halved.maps::<1>(at, &mut EventTimes::default()).ok()?;
+    let direction = maps.direction(-1.0)?;
+    let aside = halved.with_others(at, Unknowns::new(direction[0], direction[1], 0.0, 0.0));
+    let aside = &aside * (0.05 * at.lowest_velocity().1 / aside[unknown::VELOCITY].abs());
+    let near = (at + &aside).followed_by(&(at - &aside), halved.loops());
+    let eta = at[unknown::SECONDARY];
+    let equations = LoopEquations::new(oscillator.clone(), 2 * periods, Formulation::FixedPhase);
+    let condition = Condition::Secondary(eta);
+    let held = [Condition::ImpactVelocity(near[unknown::VELOCITY]), condition];
+    let start = locate(&equations, held, near, &mut EventTimes::default()).ok()?;
+    let onwards = &start - &at.followed_by(at, halved.loops());
+    let route = Route {
+        window: Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] },
+        control: StepControl { first: 1e-6, shortest: 1e-9, ..StepControl::DRAWING },
+        step_limit: 2000,
+        stop_at_events: false,
+        pace: None,
+    };
+    let branch =
+        SolutionCurve { equations, condition }.follow(start, onwards, EventTimes::default(), &route).ok()?;
+    let touch = branch.events.iter().find(|event| event.condition == Condition::InteriorGrazing);
+    let end = matches!(branch.end, CurveEnd::Grazing).then(|| branch.points.last()).flatten();
+    let grazing = touch.map(|event| &event.solution).or(end.map(|last| &last.solution))?;
+    let away = eta - oscillator.parameters()[1];
+    let touching = point.orbit().place().moved(oscillator, eta).ok()?.parameters[0];
+    Some([away, (grazing.parameters()[0] - touching) / (away * away)])
+}
+
 /// The limit map of a resonance knows P_global alone, here that through the impacts of the motion that grazes; the
 /// normal form comes from third derivatives of all flights of the solutions that leave.
 #[test]
 fn period_doublings_that_leave_resonances_with_impacts_are_as_critical_as_the_limit_map_says() {
     let (_, later) = found(&closed_form(), &scope([0.0, 1.3], [0.35, 1.02], &[1, 2]));
-    let mut compared = [0; 2];
+    let (mut compared, mut touched) = ([0; 2], 0);
     for found in &later {
         let Ok(point) = &found.resonance.theorem else { continue };
         if point.leading().into_array().iter().any(|leading| leading.coefficient.abs() > 1e4) {
@@ -143,9 +186,24 @@ fn period_doublings_that_leave_resonances_with_impacts_are_as_critical_as_the_li
             let limit = value - y * (other - value) / (farther - y);
             assert_within(limit, expected, 0.05 * expected.abs());
             compared[usize::from(expected > 0.0)] += 1;
+            // Where the solutions with twice the impacts graze, at three distances from the resonance.
+            let coefficient = point.resonant_point().doubled_grazing_coefficient();
+            let first = flip.points.iter().map(|point| &point.solution.unknowns);
+            let near = first.clone().find(|near| near.lowest_velocity().1 > 1e-4).expect("the curve leaves");
+            let sizes = [1.0, 2.0, 4.0].map(|times| 1e-5 * times);
+            let seen = sizes.map(|size| doubled_grazing(point, found.periods(), near, size));
+            let [Some(a), Some(b), Some(c)] = seen else { continue };
+            // Their errors are of first order and of second.
+            let weight = |[at, value]: [f64; 2], [p, _]: [f64; 2], [q, _]: [f64; 2]| {
+                value * p * q / ((at - p) * (at - q))
+            };
+            let limit = weight(a, b, c) + weight(b, a, c) + weight(c, a, b);
+            assert_within(limit, coefficient, 2e-3 * coefficient.abs());
+            touched += 1;
         }
     }
     assert!(compared[0] >= 1 && compared[1] >= 7, "{compared:?}");
+    assert!(touched >= 8, "{touched}");
 }
 
 #[test]
