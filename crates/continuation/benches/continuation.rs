@@ -104,6 +104,41 @@ fn one_parameter_branch(bencher: Bencher<'_, '_>, p: u32, formulation: Formulati
     start.bench(bencher);
 }
 
+/// The number of impacts K.
+struct Impacts(usize);
+
+impl core::fmt::Display for Impacts {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "K = {}", self.0)
+    }
+}
+
+/// The branch of MPSs with p = 1 at ω = 0.855, each counted K times as a solution with K impacts in K periods.
+#[divan::bench(args = [Impacts(1), Impacts(2), Impacts(4)])]
+fn point_of_a_branch_with_several_impacts(bencher: Bencher<'_, '_>, &Impacts(count): &Impacts) {
+    const OMEGA: f64 = 0.855;
+    let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
+    let grazing = theory.grazing(OMEGA).unwrap();
+    let condition = Condition::Secondary(OMEGA);
+    let single = Start {
+        curve: SolutionCurve {
+            equations: LoopEquations::new(grazing.model(), 1, Formulation::FixedPhase),
+            condition,
+        },
+        point: Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), OMEGA),
+        direction: Unknowns::new(1.0, 0.0, 0.0, 0.0),
+        route: route([0.2, 0.6], [0.5, 1.5], false),
+    };
+    let once = single.follow();
+    let [at, onwards] = [1, 2].map(|index| {
+        let solution = &once.points[index].solution.unknowns;
+        (1..count).fold(solution.clone(), |all, periods| all.followed_by(solution, periods as u32))
+    });
+    let equations = LoopEquations::new(grazing.model(), count as u32, Formulation::FixedPhase);
+    let direction = &onwards - &at;
+    Start { curve: SolutionCurve { equations, condition }, point: at, direction, ..single }.bench(bencher);
+}
+
 /// A bifurcation curve from a resonance to its end.
 fn from_resonance(Place { p, n }: Place, condition: Condition) -> Start<LinearOscillator> {
     let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
