@@ -30,8 +30,7 @@ pub(crate) fn with_one_wall(
 }
 
 /// What to do where motion at one of two walls is asked for.
-pub(crate) const AS_ONE_WALL: &str =
-    "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
+pub(crate) const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
      show motion between two walls";
 
 /// A file that describes an oscillator.

@@ -26,9 +26,7 @@ use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile, summary};
 use crate::limits::{self, Watch, ended};
-use crate::oscillator::{
-    AS_ONE_WALL, OscillatorFile, parameter_names, settings, with_loops, with_one_wall,
-};
+use crate::oscillator::{AS_ONE_WALL, OscillatorFile, parameter_names, settings, with_loops, with_one_wall};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex;
 use crate::outputs::oscillator::{self, AnalysedOscillator};

@@ -113,7 +113,8 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     }
     let first = located((&of.oscillator, &of.scope), &axes, events)?.asking_for(of.asked.clone());
     let begin = |located: &Diagram| {
-        let rows = plane::grazing_rows(&axes, located).into_iter().filter(|rows| is_shown(rows, located.wall));
+        let rows =
+            plane::grazing_rows(&axes, located).into_iter().filter(|rows| is_shown(rows, located.wall));
         let grazing = (0..).zip(rows).map(|(k, rows)| curve(&rows, k));
         events.send("curves", &grazing.collect::<Vec<_>>());
     };

@@ -45,7 +45,8 @@ pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Pro
     if !(known && near.iter().all(|number| number.abs() <= FARTHEST)) {
         return Err(Problem::wrong("the view contains no such solution"));
     }
-    let equations = LoopEquations::new(oscillator, p, Formulation::FixedPhase).at_stops(stops.iter().copied());
+    let equations =
+        LoopEquations::new(oscillator, p, Formulation::FixedPhase).at_stops(stops.iter().copied());
     let (here, mut times) =
         ([Condition::Primary(primary), Condition::Secondary(secondary)], EventTimes::default());
     let start = locate(&equations, here, near, &mut times)

@@ -48,9 +48,10 @@ impl NearbyMotion {
         let counted = self.attractors.iter().all(|(states, _)| (1..=MOST_STATES).contains(states));
         let none = Vec::new();
         let stops = self.stops.iter().chain(iter::repeat(&none));
-        let solutions = self.solutions.iter().zip(stops).filter(|((p, impacts), stops)| {
-            is_sought(loops, *p, impacts) && are_stops(here, impacts, stops)
-        });
+        let solutions =
+            self.solutions.iter().zip(stops).filter(|((p, impacts), stops)| {
+                is_sought(loops, *p, impacts) && are_stops(here, impacts, stops)
+            });
         let attractors = self.attractors.iter();
         let near = |value: f64| value.abs() <= FARTHEST;
         let struck =
@@ -227,7 +228,8 @@ fn reached(found: &Place) -> Vec<bool> {
             let second = solution.stops.iter().filter(|stop| **stop == 1).count() as f64;
             // One wall has no second.
             let apart = (attractor.fate.second * f64::from(loops) - second).abs();
-            !(apart > 0.5) && (solution.impacts.len(), solution.loops) == (impacts, loops)
+            !(apart > 0.5)
+                && (solution.impacts.len(), solution.loops) == (impacts, loops)
                 && solution.multipliers.stable()
                 && solution.admissible
         });

@@ -7,7 +7,7 @@ use grazing_analysis::one_parameter::SAMPLING;
 use grazing_analysis::unfolded::{Prepared, Unfolded, axes};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Description;
-use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::smooth::Stop;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::plane::PlanePoint;
@@ -199,7 +199,12 @@ fn a_gear_lifts_off_where_inertia_exceeds_the_drag_and_rattles_on_one_flank_from
             let orbit = LongOrbit::follow(&here, start, Horizon::drifting(100, 20));
             let resting = orbit.fate.kind == MotionKind::Resting;
             assert_eq!(resting, rests, "omega = {omega}, {share} of the onset: {:?}", orbit.fate);
-            assert!(!rests || orbit.at_rest.is_some_and(|rest| rest.stop == 1), "it is the lower flank");
+            if let OrbitEnd::Resting { rest, held } = Orbit::new(&here, start, 100.0 * TAU, 100_000).finish()
+            {
+                assert!(rests && held && rest.stop == 1, "it is the lower flank: {rest:?}");
+            } else {
+                assert!(!rests);
+            }
         }
     }
     let folds = rows(&of, Bifurcation::SaddleNode);

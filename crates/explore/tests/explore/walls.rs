@@ -49,7 +49,8 @@ fn events(name: &str, asked: &Value) -> (Named, Named) {
         last.insert(name.to_owned(), data);
         true
     };
-    answer(name, &body(asked), (&listener, || Duration::ZERO), &export(), &Stop::default()).expect("it is told");
+    answer(name, &body(asked), (&listener, || Duration::ZERO), &export(), &Stop::default())
+        .expect("it is told");
     let found = seen.lock().expect("nobody panics").clone();
     found
 }
@@ -67,15 +68,19 @@ fn both_walls_are_in_one_plane_as_unfold_draws_it() {
     let (last, curves) = events("diagram", &json!({"model": model, "view": view}));
     assert!(last.contains_key("done"), "{last:?}");
     let seen = grazing_explore::View { primary, secondary };
-    let description = model.read::<Mistake>("two-stops.toml", Some(&seen), &Stop::default()).expect("it is right");
+    let description =
+        model.read::<Mistake>("two-stops.toml", Some(&seen), &Stop::default()).expect("it is right");
     let unfolded = Unfolded::described(&description, &Silent, &Stop::default(), &|_| ()).expect("it grazes");
     let drawn: PlaneDiagram = unfolded.plane_diagram();
-    let kept: BTreeSet<&str> = last["keys"].as_array().expect("a list").iter().filter_map(Value::as_str).collect();
+    let kept: BTreeSet<&str> =
+        last["keys"].as_array().expect("a list").iter().filter_map(Value::as_str).collect();
     let followed = kept.iter().filter(|key| !key.ends_with("quadratic")).count();
     assert_eq!(followed, count(drawn.curves.iter().map(|row| &row.arc)), "{kept:?}");
     for wall in [1, 2] {
         let own = |kind: &str| {
-            let of = |curve: &&Value| curve["wall"] == wall && curve["kind"] == kind && curve["source"] == "continuation";
+            let of = |curve: &&Value| {
+                curve["wall"] == wall && curve["kind"] == kind && curve["source"] == "continuation"
+            };
             kept.iter().filter_map(|key| curves.get(*key)).filter(of).count()
         };
         assert_eq!([own("graz"), own("SN"), own("PD")], [1, 1, 1], "wall {wall}: {kept:?}");
@@ -108,29 +113,32 @@ fn motion_at_a_place_strikes_both_walls_and_its_solution_is_followed() {
     let model = model(text.to_owned());
     let at = [0.69, 0.7];
     let found = one("place", &json!({"model": model, "at": at, "states": 6}));
-    assert_eq!(found["beyond"].as_array().map(Vec::len), Some(64), "{found}");
+    assert_eq!(found["beyond"].as_array().map(Vec::len), Some(64));
     assert!(found["beyond"].as_array().unwrap().iter().all(|x| (x.as_f64().unwrap() + 2.0).abs() < 1e-12));
     let attractor = &found["attractors"][0];
-    assert_eq!([&attractor["impacts"], &attractor["second"]], [&json!(2.0), &json!(1.0)], "{attractor}");
+    assert_eq!([&attractor["impacts"], &attractor["second"]], [&json!(2.0), &json!(1.0)]);
     let solutions = found["solutions"].as_array().expect("a list");
     let both = solutions.iter().find(|one| one["stops"] == json!([0, 1]) && one["reached"] == true);
-    let both = both.unwrap_or_else(|| panic!("{solutions:?}"));
+    let both = both.expect("the motion's own solution is among them");
     // Followed on from there, nothing else comes of it.
     let nearby = json!({
         "solutions": [[both["p"], both["impacts"]]], "stops": [both["stops"]],
         "attractors": [[attractor["states"], attractor["state"]]],
     });
     let next = one("place", &json!({"model": model, "at": [0.691, 0.7], "nearby": nearby}));
-    assert_eq!(next["solutions"][0]["stops"], json!([0, 1]), "{next}");
+    let followed = next["solutions"].as_array().expect("a list");
+    assert!(followed.iter().any(|one| one["stops"] == both["stops"]));
     assert_eq!(next["attractors"][0]["second"], json!(1.0));
     let asked = json!({
         "model": model, "view": {"primary": [0.6, 0.75], "secondary": [0.68, 0.72]}, "at": at,
         "p": both["p"], "impacts": both["impacts"], "stops": both["stops"],
     });
     let curve = one("follow", &asked);
-    assert!(curve[0]["points"].as_array().is_some_and(|points| points.len() > 5), "{curve}");
+    assert!(curve[0]["points"].as_array().is_some_and(|points| points.len() > 5));
     // With one wall there is no second to hit.
     let paper = json!({"text": null, "set": {}, "loops": null});
     let wrong = json!({"model": paper, "view": {"primary": [0.1, 0.9], "secondary": [0.6, 0.9]}, "at": [0.5, 0.8], "p": 1, "impacts": [[0.1, 0.0]], "stops": [1]});
-    assert!(answer("follow", &body(&wrong), (&|_| true, || Duration::ZERO), &export(), &Stop::default()).is_err());
+    assert!(
+        answer("follow", &body(&wrong), (&|_| true, || Duration::ZERO), &export(), &Stop::default()).is_err()
+    );
 }
