@@ -53,7 +53,7 @@ fn assert_near(found: f64, known: f64, relative: f64) {
 /// Over half a period, seen in the mirror, (y, z) is led to (y, z) with a derivative of determinant D = r² e^(−2dh) and trace
 /// T = r (M₀₀ + M₁₁) − M₀₁ (1 + r) (F cos z − k)/y, where F cos z = P'' + 2dP' + kP = (k − ω²)(1 − φy) + 2dψy. Hence
 ///
-/// - saddle-node, 1 − T + D = 0: where F is least, y = φ/(φ² + (ψ/ω)²);
+/// - saddle-node, 1 − T + D = 0: where F is least, y = φ/(φ² + (ψ/ω)²), if φ > 0;
 /// - pitchfork, 1 + T + D = 0: y = −M₀₁ (1 + r) ω² / (1 + D + r (M₀₀ + M₁₁) − M₀₁ (1 + r) (2dψ − (k − ω²)φ));
 /// - no period doubling: the multipliers over a period are squares of those over half of it, and −1 is one of i and −i, whose
 ///   product is 1, not D < 1.
@@ -137,9 +137,9 @@ fn assert_mirrored(of: &Description, constants: [f64; 3], at: f64, forced: f64) 
     let mut seen = [0; 2];
     for row in found.bifurcations.iter().filter(|row| (row.impacts, row.loops) == (2, 1)) {
         let (y, which) = match row.kind {
-            Bifurcation::SaddleNode => (fold, 0),
+            Bifurcation::SaddleNode if fold > 0.0 => (fold, 0),
             Bifurcation::Pitchfork => (fork, 1),
-            // The branch beyond the pitchfork is not symmetric.
+            // Solutions that begin at the pitchfork are not symmetric.
             _ => continue,
         };
         // Solutions are as exact as the flow, some 1e-12; at a fold the velocity has half the digits.
@@ -147,9 +147,10 @@ fn assert_mirrored(of: &Description, constants: [f64; 3], at: f64, forced: f64) 
         assert_near(row.impact_velocity * units.velocity(), y, 1e-5);
         seen[which] += 1;
     }
-    assert_eq!(seen, [1, 1], "{:?}", found.bifurcations);
-    // Between the two symmetric motion attracts, among what random states come to.
-    let mu = known.amplitude(0.5 * (fold + fork)) / forced;
+    assert_eq!(seen, [usize::from(fold > 0.0), 1], "{:?}", found.bifurcations);
+    // From the pitchfork on, to the saddle-node if there is one, symmetric motion attracts some of the random states.
+    let speed = if fold > 0.0 { 0.5 * (fold + fork) } else { 1.3 * fork };
+    let mu = known.amplitude(speed) / forced;
     let here = prepared.oscillator.with_parameters(prepared.without_dimensions([mu, at]));
     let starts = Starts { states: 12, lattice: [0, 0], ..Starts::default() };
     let place = Place::compute(&here, &prepared.scope, &starts, &Silent).expect("nobody stops it");
@@ -160,18 +161,18 @@ fn assert_mirrored(of: &Description, constants: [f64; 3], at: f64, forced: f64) 
         .map(|one| one.strikes[0])
         .map(|[phase, speed]| [speed * units.velocity(), phase])
         .expect("it is one of the attractors");
-    assert_near(y, 0.5 * (fold + fork), 1e-8);
+    assert_near(y, speed, 1e-8);
 }
 
 #[test]
-fn symmetric_motion_between_two_stops_folds_and_loses_its_symmetry_where_the_closed_form_does() {
+fn symmetric_motion_between_two_stops_loses_its_symmetry_where_the_closed_form_does() {
     let of = example!("two-stops.toml");
     let [zeta, r] = ["zeta", "r"].map(|name| constant(&of, name));
     assert_mirrored(&of, [zeta, 1.0, r], 0.7, 1.0);
 }
 
 #[test]
-fn an_impact_damper_strikes_both_walls_of_its_container_as_the_closed_form_does() {
+fn an_impact_damper_folds_and_loses_its_symmetry_where_the_closed_form_does() {
     let of = example!("impact-damper.toml");
     let [zeta, natural, r] = ["zeta", "Omega", "r"].map(|name| constant(&of, name));
     let omega = 1.0;
@@ -199,11 +200,11 @@ fn a_gear_lifts_off_where_inertia_exceeds_the_drag_and_rattles_on_one_flank_from
             let orbit = LongOrbit::follow(&here, start, Horizon::drifting(100, 20));
             let resting = orbit.fate.kind == MotionKind::Resting;
             assert_eq!(resting, rests, "omega = {omega}, {share} of the onset: {:?}", orbit.fate);
-            if let OrbitEnd::Resting { rest, held } = Orbit::new(&here, start, 100.0 * TAU, 100_000).finish()
-            {
-                assert!(rests && held && rest.stop == 1, "it is the lower flank: {rest:?}");
-            } else {
-                assert!(!rests);
+            match Orbit::new(&here, start, 100.0 * TAU, 100_000).finish() {
+                OrbitEnd::Resting { rest, held: true } => {
+                    assert!(rests && rest.stop == 1, "it is the lower flank: {rest:?}");
+                }
+                _ => assert!(!rests),
             }
         }
     }
@@ -297,9 +298,10 @@ fn a_ball_is_released_where_the_table_falls_faster_and_chatters_as_parabolas_do(
                 time += high;
                 speed = table(time)[1] - (left - g * high);
                 left = table(time)[1] + r * speed;
-                assert!((next.start + next.duration - origin - time).abs() * f < 1e-9, "{time}");
-                // Velocities are known to the rounding of positions over the time of flight.
-                assert!((impact.velocity - speed).abs() < 1e-8 * a * omega, "{speed}");
+                // A release that is 1e-9 late shifts what follows by more, as flights after it are short.
+                let late = next.start + next.duration - origin - time;
+                assert!(late.abs() * f < 1e-7, "{late} of {time}");
+                assert!((impact.velocity - speed).abs() < 1e-6 * a * omega, "{speed}");
                 compared[1] += 1;
                 if speed < 1e-3 * a * omega {
                     // Positions of the parabola are differences, which lose their digits.
@@ -391,7 +393,7 @@ fn a_clapper_rings_as_an_integration_by_other_means_has_it() {
         let begin = 80.0 * TAU / omega;
         let late: Vec<_> = hits.iter().filter(|(time, ..)| *time > begin).collect();
         assert!(
-            (late.len() * periods as usize).abs_diff(40 * impacts) <= 1,
+            (late.len() * periods as usize).abs_diff(40 * impacts) <= 2 * periods as usize,
             "{amplitude} {omega}: {:?}, {}",
             orbit.fate,
             late.len()
