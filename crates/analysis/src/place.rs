@@ -52,6 +52,13 @@ pub fn simulated(
     }
     let (length, velocity, begin) = (units.length, units.velocity(), time / units.time);
     let from = State { position: x / length, velocity: y / velocity, phase: frequency * begin };
+    let [beyond, _] = here.gap(from.phase);
+    if from.position < -beyond.value {
+        let other = -beyond.value * length;
+        return Err(format!(
+            "motion from x = {x} at t = {time}: the other wall is at x = {other} then, and the motion is between the walls"
+        ));
+    }
     let impacts = libm::ceil(MOST_IMPACTS * periods) as usize;
     let found = Trajectory::follow(&here, from, begin, (periods * here.forcing_period(), impacts));
     let time = |time: f64| time * units.time;

@@ -14,9 +14,10 @@ macro_rules! examples {
 }
 
 examples! {
-    "afm.toml" "base-excitation.toml" "clearance.toml" "door.toml" "drill.toml" "duffing.toml"
-    "harvester.toml" "leaf-spring.toml" "paper.toml" "parametric.toml" "pendulum.toml" "quadratic-damping.toml"
-    "relay.toml" "rig-si.toml" "shaking-table.toml" "two-harmonics.toml" "varying-impact.toml"
+    "afm.toml" "base-excitation.toml" "bell.toml" "bouncing-ball.toml" "clearance.toml" "door.toml" "drill.toml"
+    "duffing.toml" "gear-backlash.toml" "harvester.toml" "impact-damper.toml" "leaf-spring.toml" "paper.toml"
+    "parametric.toml" "pendulum.toml" "quadratic-damping.toml" "relay.toml" "rig-si.toml" "shaking-table.toml"
+    "two-harmonics.toml" "two-stops.toml" "varying-impact.toml"
 }
 
 /// A description that a user begins with.

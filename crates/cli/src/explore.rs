@@ -17,7 +17,7 @@ use crate::arguments;
 use crate::commands::{CommandLine, program};
 use crate::failure::{Failure, computation};
 use crate::folder::{self, OutputFile};
-use crate::oscillator::{OscillatorFile, with_one_wall};
+use crate::oscillator::OscillatorFile;
 use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
 use crate::outputs::oscillator::{
@@ -90,7 +90,6 @@ fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
     if let Some(named) = named {
         let OscillatorFile { text, description, .. } =
             OscillatorFile::read(named, &[], grazing_description::Limits::USUAL)?;
-        with_one_wall(named, &description, "explore")?;
         let file = named.file_name().unwrap_or_default().to_string_lossy().into_owned();
         all.push(Example { name: description.name().to_owned(), file, text: Some(text) });
     }

@@ -15,7 +15,7 @@ use crate::arguments::Export;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::limits::{self, Watch, ended};
-use crate::oscillator::{OscillatorFile, settings, with_loops, with_one_wall};
+use crate::oscillator::{AS_ONE_WALL, OscillatorFile, settings, with_loops, with_one_wall};
 use crate::template::rendered;
 use crate::terminal;
 
@@ -64,7 +64,7 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let file = &arguments.file;
     let limits = grazing_description::Limits::USUAL;
     let of = OscillatorFile::read(file, &settings(&arguments.changes.set), limits)?;
-    with_one_wall(file, &of.description, "export")?;
+    with_one_wall(file, &of.description, "export", AS_ONE_WALL)?;
     let description = with_loops(of.description, arguments.changes.loops.as_deref())?;
     // AUTO reads the name in quotes, and the system as that of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };

@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use crate::folder::{self, summary};
 use crate::layout::Layout;
 use crate::limits::{self, Watch, ended};
-use crate::oscillator::{OscillatorFile, parameter_names, settings, with_loops, with_one_wall};
+use crate::oscillator::{AS_ONE_WALL, OscillatorFile, parameter_names, settings, with_loops, with_one_wall};
 use crate::progress::Display;
 use crate::unfold::numbers::{heads, with_error};
 use crate::{data_page, tables, terminal};
@@ -36,7 +36,7 @@ pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
     let arguments::Identify { file, data, record, free, .. } = arguments;
     let mut of =
         OscillatorFile::read(file, &settings(&arguments.changes.set), arguments.limits.over(Limits::USUAL))?;
-    with_one_wall(file, &of.description, "identify")?;
+    with_one_wall(file, &of.description, "identify", AS_ONE_WALL)?;
     of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
     let names = parameter_names(&of.description);
     let renamed = arguments.named.of(data.as_deref().or(record.as_deref()))?;

@@ -10,20 +10,28 @@ use grazing_source::{Setting, Text};
 use crate::failure::Failure;
 use crate::limits::reading;
 
-/// Refuses an oscillator with two walls, where a command is for one.
+/// Refuses an oscillator with two walls, where a command is for one, with what to do `instead`.
 ///
 /// # Errors
 /// There are two walls.
-pub(crate) fn with_one_wall(file: &Path, description: &Description, command: &str) -> Result<(), Failure> {
+pub(crate) fn with_one_wall(
+    file: &Path,
+    description: &Description,
+    command: &str,
+    instead: &str,
+) -> Result<(), Failure> {
     if !description.has_two_walls() {
         return Ok(());
     }
     Err(Failure::input(format!(
-        "{}: there are two [[walls]], and `grazing {command}` is for oscillators with one; `grazing unfold` with --at and \
-         [[diagrams]] shows what motion between two walls comes to",
+        "{}: there are two [[walls]], and `grazing {command}` is for oscillators with one: {instead}",
         file.display()
     )))
 }
+
+/// What to do where motion at one of two walls is asked for.
+pub(crate) const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
+     show motion between two walls";
 
 /// A file that describes an oscillator.
 pub(crate) struct OscillatorFile {

@@ -26,7 +26,7 @@ use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile, summary};
 use crate::limits::{self, Watch, ended};
-use crate::oscillator::{OscillatorFile, parameter_names, settings, with_loops};
+use crate::oscillator::{AS_ONE_WALL, OscillatorFile, parameter_names, settings, with_loops, with_one_wall};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
@@ -113,6 +113,9 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     for file in &arguments.files {
         let settings = settings(&arguments.changes.set);
         let mut of = OscillatorFile::read(file, &settings, arguments.limits.over(Limits::USUAL))?;
+        if arguments.data.is_some() {
+            with_one_wall(file, &of.description, "unfold --data", AS_ONE_WALL)?;
+        }
         of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
         let named = folder::name_for(file);
         let folder = match &arguments.output {

@@ -368,7 +368,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The stability of symmetric motion over the whole period, from the map over half of it, or of a solution
     /// with one impact at each of two stops that is its own mirror image.
     pub(crate) fn symmetric_stability(&self, point: &Unknowns, flights: &[O::Motion]) -> Option<Stability> {
-        if let Some(half) = self.mirrored(point) {
+        if let Some(half) = self.mirrored(point, flights) {
             return Some(half.stability().of_the_square());
         }
         let mirror = Some(self.symmetry?);

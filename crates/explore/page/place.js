@@ -31,11 +31,19 @@ function speak(words) {
 
 const KINDS = { "non-impacting": "No impacts", chaotic: "Chaos", resting: "Rests at the wall", escaping: "Escapes" };
 
+/** Numbers of impacts, all and at the second of two walls: "2 impacts at wall 1 and 1 at wall 2". */
+function struckAt(all, second) {
+  const [first, other] = [all - second, second];
+  if (first && other) return `${count(first, "impact")} at wall 1 and ${other} at wall 2`;
+  return `${count(all, "impact")} at wall ${other ? 2 : 1}`;
+}
+
 /** The name of an attractor. */
-function nameOf({ kind, periods, impacts, rests, loops, waited }) {
+function nameOf({ kind, periods, impacts, second, rests, loops, waited }) {
   if (kind === "unsettled") return `Not settled after ${waited} periods`;
   if (kind === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
   if (kind !== "periodic") return KINDS[kind] ?? kind;
+  if (description.walls > 1 && !rests && second !== null) return `Periodic: ${struckAt(Math.round(impacts * periods), Math.round(second * periods))} in ${count(periods, "period")}`;
   if (loops) return `MPS, ${count(loops, "loop")}`;
   // Infinitely many impacts are null.
   const struck = Math.round((impacts ?? 0) * periods);
@@ -51,9 +59,10 @@ function nameOf({ kind, periods, impacts, rests, loops, waited }) {
 const numbers = ({ p, impacts }) => (impacts.length > 1 ? `${impacts.length}/${p}` : String(p));
 
 /** The name of a solution with the velocity of its slowest impact. */
-function nameOfSolution({ p, impacts }) {
+function nameOfSolution({ p, impacts, stops }) {
   if (impacts.length === 0) return KINDS["non-impacting"];
-  const kind = impacts.length === 1 ? `MPS, ${count(p, "loop")}` : `${count(impacts.length, "impact")} in ${count(p, "period")}`;
+  const at = stops?.length > 0 ? stops : impacts.map(() => 0);
+  const kind = description.walls > 1 ? `${struckAt(at.length, at.filter((stop) => stop === 1).length)} in ${count(p, "period")}` : impacts.length === 1 ? `MPS, ${count(p, "loop")}` : `${count(impacts.length, "impact")} in ${count(p, "period")}`;
   return `${kind}, velocity ${number(impacts[0][0], 3)}`;
 }
 
@@ -160,7 +169,7 @@ class Card {
     try {
       const found = point
         ? { at: [point.primary, point.secondary], multipliers: point.multipliers }
-        : await ask("exact", { model: modelOf(value), view: viewOf(value), kind: curve.kind, p: curve.p, start, at });
+        : await ask("exact", { model: modelOf(value), view: viewOf(value), kind: curve.kind, p: curve.p, wall: curve.wall, start, at });
       const words = ["Exactly on ", ...nameOfNear({ point, curve })];
       if (found.multipliers) words.push(`: multipliers ${multipliers(found.multipliers)}`);
       this.exact = { at: found.at, words };
@@ -177,8 +186,9 @@ class Card {
     else if (this.longer?.of === JSON.stringify([body.model, body.at])) body.periods = this.longer.periods;
     // If a complete search takes too long, only known motion is followed during dragging.
     if (live && this.answer && this.slow && this.known === knownAs(body)) {
-      const solutions = this.answer.solutions.filter(({ p }) => p > 0).map(({ p, impacts }) => [p, impacts]);
-      body.nearby = { solutions, attractors: this.answer.attractors.map(({ states, state }) => [states, state]) };
+      const struck = this.answer.solutions.filter(({ p }) => p > 0);
+      const solutions = struck.map(({ p, impacts }) => [p, impacts]);
+      body.nearby = { solutions, stops: struck.map(({ stops }) => stops), attractors: this.answer.attractors.map(({ states, state }) => [states, state]) };
     }
     return body;
   }
@@ -286,11 +296,11 @@ class Card {
     const found = solutions[keysOf(solutions).indexOf(key)];
     this.follows.hidden = this.key === "kept" || !(found?.p > 0);
     if (this.follows.hidden) return;
-    const { p, impacts } = found;
+    const { p, impacts, stops } = found;
     const button = (patch, ...words) => make("button", { type: "button", class: "small", onclick: () => state.update(patch) }, ...words);
     const along = (axis, cut) => button({ cut, ordinate: "impact velocity" }, "along ", ...elements(axisPieces(axis)));
     const on = isFollowed(found, at);
-    const held = button({ follow: on ? null : { at, p, impacts } }, "at this velocity");
+    const held = button({ follow: on ? null : { at, p, impacts, stops } }, "at this velocity");
     held.setAttribute("aria-pressed", on);
     const of = impacts.length > 1 ? [`${numbers(found)}: `] : [make("i", {}, "p"), ` = ${p}: `];
     this.follows.replaceChildren("Follow ", ...of, along(description.primary, "secondary"), along(description.secondary, "primary"), held);
@@ -303,14 +313,14 @@ class Card {
 
   draw() {
     if (!this.answer || this.element.hidden) return;
-    const { attractors, solutions, period } = this.answer;
+    const { attractors, solutions, period, beyond } = this.answer;
     const inks = attractorInks(attractors);
     const keys = keysOf(solutions);
     const moving = attractors.map(({ orbit, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: periods ? 1.4 : 0.7, periods, repeats: Boolean(periods) }));
     const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map((each) => ({ orbit: each.orbit ?? [], ink: inkOf(each), wide: 1.4, dashed: each.stability !== "stable", periods: each.p || 1, repeats: true }));
     const strikes = attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] }));
     // The attractor of most states is drawn on top.
-    drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period });
+    drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period, beyond });
   }
 
   announce(at) {

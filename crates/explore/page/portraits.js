@@ -69,12 +69,13 @@ const upTo = (orbit, end) => orbit.map((flight) => flight.filter(([t]) => t <= e
 /**
  * Draws the pictures. `orbits` is [{ orbit, ink, wide, dashed, periods }], with the number of periods after which the
  * orbit repeats, or null, and with `repeats`, whether the given orbit begins again at its end; `strikes` is [{ strikes,
- * ink }]; canvases is { phase, time, strikes }.
+ * ink }]; canvases is { phase, time, strikes }. `beyond` is where the other of two walls is at even steps of a period.
  */
-export function drawPortraits(canvases, { orbits, strikes, period }) {
+export function drawPortraits(canvases, { orbits, strikes, period, beyond = [] }) {
   const starts = orbits.map(({ orbit }) => orbit[0]?.[0]?.[0] ?? 0);
   const all = orbits.flatMap(({ orbit }) => orbit.flat());
-  const xs = extent([...all.map(([, x]) => x), 0]);
+  const xs = extent([...all.map(([, x]) => x), 0, ...beyond]);
+  const still = beyond.length > 0 && Math.max(...beyond) - Math.min(...beyond) < 1e-9 * (xs[1] - xs[0]);
   const vs = extent(all.map(([, , v]) => v));
   const x = { range: xs, ...heightTitle(), at: 11 };
 
@@ -83,6 +84,10 @@ export function drawPortraits(canvases, { orbits, strikes, period }) {
     const { context, to, ink } = phase;
     shadeWall(phase, to([0, vs[0]]), to([xs[1], vs[1]]));
     line(context, [to([0, vs[0]]), to([0, vs[1]])], ink.wall, 1);
+    if (still) {
+      shadeWall(phase, to([xs[0], vs[0]]), to([beyond[0], vs[1]]));
+      line(context, [to([beyond[0], vs[0]]), to([beyond[0], vs[1]])], ink.wall, 1);
+    }
     line(context, [to([xs[0], 0]), to([xs[1], 0])], ink.faint, 1);
     orbits.forEach(({ orbit: all, ink: colour, wide, dashed, periods }, which) => {
       // Only once round a closed orbit: dashes drawn over dashes are not visible.
@@ -104,6 +109,8 @@ export function drawPortraits(canvases, { orbits, strikes, period }) {
     const { context, to, ink } = time;
     shadeWall(time, to([0, 0]), to([most, xs[1]]));
     line(context, [to([0, 0]), to([most, 0])], ink.wall, 1);
+    const other = (step) => to([step / beyond.length, beyond[step % beyond.length]]);
+    if (beyond.length > 0) line(context, Array.from({ length: Math.floor(most * beyond.length) + 1 }, (_, step) => other(step)), ink.wall, 1);
     orbits.forEach(({ orbit, ink: colour, wide, dashed, repeats }, index) => {
       const turns = repeats && lengths[index] > 0 ? Math.ceil((most * period) / lengths[index] - 1e-6) : 1;
       // In whole periods from phase zero.

@@ -8,8 +8,8 @@ use grazing_analysis::plane::{self, Axes};
 use grazing_analysis::unfolded::{AtResonance, Prepared};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
-use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, SpecialPoint};
 use grazing_source::Mistake;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -58,12 +58,28 @@ pub(crate) fn known(
     Ok((axes, diagram))
 }
 
-/// The diagram with all its regions.
+/// The diagram with all its regions, as the first wall sees it.
 pub(crate) fn whole(of: Prepared, progress: &dyn Progress) -> Result<Diagram, Problem> {
     let Prepared { oscillator, scope, asked, axes } = of;
     let located = located((&oscillator, &scope), &axes, progress)?.asking_for(asked);
     let followed = located.follow(progress, &|_, _| ());
     Ok(located.with(followed, progress))
+}
+
+/// The diagram with all its regions as the other of two walls sees it, if there is one.
+pub(crate) fn whole_of_other(of: &Prepared, progress: &dyn Progress) -> Result<Option<Diagram>, Problem> {
+    let Some(located) = located_of_other(of, progress)? else { return Ok(None) };
+    let followed = located.follow(progress, &|_, _| ());
+    Ok(Some(located.with(followed, progress)))
+}
+
+/// What is located in the diagram that the other of two walls sees, if there is one.
+pub(crate) fn located_of_other(of: &Prepared, progress: &dyn Progress) -> Result<Option<Diagram>, Problem> {
+    let Some(other) = of.oscillator.other_stop() else { return Ok(None) };
+    // The start of the search is seen from the first wall.
+    let scope = Scope { start: None, ..of.scope.clone() };
+    let located = located((&other, &scope), &of.axes, progress)?;
+    Ok(Some(Diagram { wall: 2, ..located }))
 }
 
 /// The kind of curves that a file asks for.
@@ -90,58 +106,48 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         sent.push((name, data));
     };
     let (description, mistake) = model.viewed(Some(view), stop)?;
-    let Prepared { oscillator, scope, asked, axes } = model.prepare(&description, stop)?;
+    let of = model.prepare(&description, stop)?;
+    let axes = of.axes.clone();
     if let Some(Mistake { message, .. }) = mistake {
         tell("part", json!({"view": View::of(&description), "reason": message}));
     }
-    let located = located((&oscillator, &scope), &axes, events)?.asking_for(asked);
-    let grazing = (0..).zip(plane::grazing_rows(&axes, &located));
-    events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
-    tell("resonances", json!(resonances(&axes, &located)));
-    let diagram = growing(&axes, located, *coarse, events);
-    // These contain everything that was sent before, and the curves that begin elsewhere.
-    let rows = plane::curves(&axes, &diagram);
-    let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
-    let all = rows.chunk_by(|a, b| a.arc == b.arc).zip(starts(&diagram)).map(|(rows, starts)| {
-        let first = &rows[0];
-        let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
-        *count += 1;
-        let mut found = curve(rows, *count - 1);
-        found["starts"] = json!(starts);
-        if !coarse {
-            along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
-        }
-        found
+    let first = located((&of.oscillator, &of.scope), &axes, events)?.asking_for(of.asked.clone());
+    let begin = |located: &Diagram| {
+        let rows =
+            plane::grazing_rows(&axes, located).into_iter().filter(|rows| is_shown(rows, located.wall));
+        let grazing = (0..).zip(rows).map(|(k, rows)| curve(&rows, k));
+        events.send("curves", &grazing.collect::<Vec<_>>());
+    };
+    begin(&first);
+    let mut all = Shown { resonances: resonances(&axes, &first), ..Shown::default() };
+    tell("resonances", json!(all.resonances));
+    let diagram = growing(&axes, first, *coarse, events);
+    all.add(&axes, &diagram, *coarse);
+    all.tell(*coarse, &mut tell);
+    // What the other of two walls sees comes after it, and is sent together with it.
+    let other = located_of_other(&of, events)?.map(|located| {
+        begin(&located);
+        all.resonances.extend(resonances(&axes, &located));
+        let other = growing(&axes, located, *coarse, events);
+        all.add(&axes, &other, *coarse);
+        other
     });
-    let mut all: Vec<Value> = all.collect();
-    all.extend(plane::own_curves(&axes, &diagram).chunk_by(|a, b| a.arc == b.arc).map(own));
-    tell("curves", json!(all));
-    let known = diagram.unfolding().map(|_| Value::Null);
-    let known = known.chain(
-        diagram
-            .codimension_two
-            .iter()
-            .map(|other| json!(place::eigenvalues(&other.event.solution.multipliers))),
-    );
-    let rows = plane::points(&axes, &diagram);
-    let points = rows.iter().zip(known).map(|(row, multipliers)| point(row, multipliers));
-    tell("points", points.collect());
-    let mut shown: Vec<Value> = Vec::new();
-    if !coarse {
-        let rows = plane::regions(&axes, &diagram.regions);
-        shown = rows.chunk_by(|a, b| a.region == b.region).map(region).collect();
-        tell("regions", json!(shown));
+    if other.is_some() {
+        tell("resonances", json!(all.resonances));
+        all.tell(*coarse, &mut tell);
     }
-    let approximations = approximations(&axes, &diagram);
-    tell("curves", json!(approximations));
     // Curves that were sent under a wrong name, since they were mistaken for others, are not among these.
-    tell("keys", all.iter().chain(&approximations).map(|curve| curve["key"].clone()).collect());
+    tell("keys", all.curves.iter().chain(&all.approximations).map(|curve| curve["key"].clone()).collect());
     let secondary = description.secondary().name();
-    let forgotten = diagram.grazing.iter().filter_map(|curve| forgotten(curve, secondary, &axes.units));
+    let seen = || [Some(&diagram), other.as_ref()].into_iter().flatten();
+    let grazing = seen().flat_map(|diagram| &diagram.grazing);
+    let forgotten = grazing.filter_map(|curve| forgotten(curve, secondary, &axes.units));
     let forgotten = forgotten.map(|words| format!("grazing curve: {words}"));
-    tell("notes", plane::lost(&diagram).chain(forgotten).collect());
+    tell("notes", seen().flat_map(plane::lost).chain(forgotten).collect());
+    let mut shown = all.regions;
     // Regions of stable solutions are shown all the same.
-    if let Some(reason) = diagram.nothing() {
+    let empty = seen().all(|diagram| diagram.nothing().is_some());
+    if let Some(reason) = diagram.nothing().filter(|_| empty) {
         let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);
         tell("nothing", json!({"found": found, "question": question}));
     }
@@ -153,6 +159,75 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         events.kept.add(model, view, diagram, sent);
     }
     Ok(())
+}
+
+/// What the page shows of the plane, as one wall sees it, and then as the other does as well.
+#[derive(Default)]
+struct Shown {
+    resonances: Vec<Value>,
+    curves: Vec<Value>,
+    points: Vec<Value>,
+    regions: Vec<Value>,
+    approximations: Vec<Value>,
+}
+
+impl Shown {
+    /// Adds a finished diagram. It contains everything that was sent before, and the curves that begin elsewhere.
+    fn add(&mut self, axes: &Axes, diagram: &Diagram, coarse: bool) {
+        let rows = plane::curves(axes, diagram);
+        let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
+        let arcs = rows.chunk_by(|a, b| a.arc == b.arc).zip(starts(diagram));
+        self.curves.extend(arcs.filter(|(rows, _)| is_shown(rows, diagram.wall)).map(|(rows, starts)| {
+            let first = &rows[0];
+            let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
+            *count += 1;
+            let mut found = curve(rows, *count - 1);
+            found["starts"] = json!(starts);
+            if !coarse {
+                along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
+            }
+            found
+        }));
+        self.curves.extend(plane::own_curves(axes, diagram).chunk_by(|a, b| a.arc == b.arc).map(own));
+        let known = diagram.unfolding().map(|_| Value::Null);
+        let known = known.chain(
+            diagram
+                .codimension_two
+                .iter()
+                .map(|other| json!(place::eigenvalues(&other.event.solution.multipliers))),
+        );
+        let rows = plane::points(axes, diagram);
+        let points = rows.iter().zip(known).filter(|(row, _)| row.loops > 0 || diagram.wall < 2);
+        self.points.extend(points.map(|(row, multipliers)| point(row, multipliers)));
+        if !coarse {
+            let rows = plane::regions(axes, &diagram.regions);
+            let regions = rows.chunk_by(|a, b| a.region == b.region);
+            // Motion without impacts is the same to both walls.
+            let own = regions.filter(|rows| rows[0].loops > 0 || diagram.wall < 2);
+            self.regions.extend(own.map(region));
+        }
+        self.approximations.extend(approximations(axes, diagram));
+    }
+
+    fn tell(&self, coarse: bool, tell: &mut impl FnMut(&'static str, Value)) {
+        tell("curves", json!(self.curves));
+        tell("points", json!(self.points));
+        if !coarse {
+            tell("regions", json!(self.regions));
+        }
+        tell("curves", json!(self.approximations));
+    }
+}
+
+/// Whether a curve is shown as a wall sees it: of what bounds motion without impacts the first wall shows all but grazing of the other,
+/// and the other one nothing but its own grazing.
+fn is_shown(rows: &[PlanePoint], wall: u32) -> bool {
+    let Some(first) = rows.first() else { return false };
+    match wall {
+        0 => true,
+        1 => first.wall > 0 || first.kind != Bifurcation::NonImpactingGrazing,
+        _ => first.wall > 0,
+    }
 }
 
 /// The diagram of what is located, whose curves are sent as they are found; with its regions unless it is coarse.
@@ -191,10 +266,11 @@ fn ranks(diagram: &Diagram) -> Vec<u32> {
 
 fn curve(rows: &[PlanePoint], rank: u32) -> Value {
     let Some(first) = rows.first() else { return Value::Null };
+    let wall = first.wall;
     let bounds = |index: usize| rows[index].admissible && PlanePoint::bounds(rows, index);
     let points =
         rows.iter().enumerate().map(|(index, row)| ([row.primary, row.secondary], bounds(index))).unzip();
-    named(first.kind.name(), [first.loops, first.n, rank], "continuation", points)
+    named(first.kind.name(), [first.loops, first.n, rank], wall, "continuation", points)
 }
 
 /// Adds details along a curve: the multipliers at its points, and why it was not followed farther
@@ -210,12 +286,14 @@ fn along<'a>(curve: &mut Value, rows: impl DoubleEndedIterator<Item = ([f64; 2],
 pub(crate) fn named(
     kind: &str,
     [p, n, rank]: [u32; 3],
+    wall: u32,
     source: &str,
     (points, bounds): (Vec<[f64; 2]>, Vec<bool>),
 ) -> Value {
-    let key = format!("{kind} {p} {n} #{rank}");
+    let of_wall = if wall > 1 { format!("wall {wall} ") } else { String::new() };
+    let key = format!("{kind} {p} {n} {of_wall}#{rank}");
     let key = if source == "quadratic" { format!("{key} {source}") } else { key };
-    json!({"key": key, "kind": kind, "p": p, "n": n, "source": source, "points": points, "bounds": bounds})
+    json!({"key": key, "kind": kind, "p": p, "n": n, "wall": wall, "source": source, "points": points, "bounds": bounds})
 }
 
 /// A curve that the file asks for, which is bold where solutions are stable and admissible.
@@ -225,7 +303,7 @@ fn own(rows: &[OwnPoint]) -> Value {
         .iter()
         .map(|row| ([row.primary, row.secondary], row.stable.is_stable() && row.admissible))
         .unzip();
-    let mut found = named(OWN_CURVE, [first.loops, 0, first.arc], "continuation", points);
+    let mut found = named(OWN_CURVE, [first.loops, 0, first.arc], 0, "continuation", points);
     found["name"] = json!(first.name);
     found["property"] = json!(first.property);
     along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
@@ -319,7 +397,7 @@ fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
         let shown = |(kind, curve): (Bifurcation, BifurcationCurve)| {
             let points = approximation(point, curve, diagram.scope.window);
             let points = points.into_iter().map(|point| (axes.units.parameters(point), true)).unzip();
-            named(kind.name(), [resonance.loops, resonance.n, rank], "quadratic", points)
+            named(kind.name(), [resonance.loops, resonance.n, rank], diagram.wall, "quadratic", points)
         };
         let [saddle_node, period_doubling] = point.leading().named();
         // Period-doubled solutions begin at the period doubling, on its side.

@@ -22,6 +22,9 @@ pub(crate) struct ExactRequest {
     /// The name of the curve's kind, and its number of loops.
     kind: String,
     p: u32,
+    /// The wall that sees it, from 1, if there are two.
+    #[serde(default)]
+    wall: u32,
     /// Approximate values of the first two unknowns there, nondimensional.
     start: [f64; 2],
     /// The approximate place, in the oscillator's units.
@@ -32,10 +35,14 @@ pub(crate) struct ExactRequest {
 const NEAR: f64 = 0.1;
 
 pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Problem> {
-    let ExactRequest { model, view, kind, p, start: [first, second], at } = request;
+    let ExactRequest { model, view, kind, p, wall, start: [first, second], at } = request;
     let of = model.prepared(Some(view), stop)?;
     let [primary, secondary] = of.without_dimensions(*at);
     let Prepared { oscillator, scope, axes, .. } = of;
+    let oscillator = match wall {
+        2 => oscillator.other_stop().ok_or_else(|| Problem::wrong("there is no second wall"))?,
+        _ => oscillator,
+    };
     let units = axes.units;
     let unknown = || Problem::wrong(format!("{kind} is not a kind of curve with {p} loops"));
     let kind = Bifurcation::named(kind).ok_or_else(unknown)?;

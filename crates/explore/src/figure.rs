@@ -10,13 +10,14 @@ use grazing_results::branches::OneParameter;
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{PlaneDiagram, StraightenedCurves};
+use grazing_unfold::Diagram;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use serde::Deserialize;
 
 use crate::answer::Problem;
 use crate::cut::CutLine;
-use crate::diagram::{located, whole};
+use crate::diagram::{located, located_of_other, whole, whole_of_other};
 use crate::measured::Measured;
 use crate::model::{Model, View};
 use crate::place;
@@ -107,13 +108,19 @@ impl Seen {
         let names = of.axes.names.clone();
         let figure = match wanted {
             Wanted::Plane => {
-                let (axes, diagram) = (of.axes.clone(), whole(of, progress)?);
+                let axes = of.axes.clone();
+                let other = whole_of_other(&of, progress)?;
+                let diagram = whole(of, progress)?;
                 let compared =
                     measured.map(|rig| rig.beside(model, (&axes, &diagram), progress, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
-                let mut rows = plane::plane_diagram(&axes, &diagram, Vec::new(), Vec::new());
-                rows.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
-                Figure::Plane(rows, compared)
+                let rows = |diagram| plane::plane_diagram(&axes, diagram, Vec::new(), Vec::new());
+                let (mut all, other) = (rows(&diagram), other.as_ref().map(rows));
+                if let Some(other) = other {
+                    plane::add_other_wall(&mut all, other);
+                }
+                all.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
+                Figure::Plane(all, compared)
             }
             Wanted::Cut(line) => Figure::OneParameter(line.diagram(model, progress, stop)?),
             Wanted::Place(at) => {
@@ -135,17 +142,23 @@ impl Seen {
 
 fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<StraightenedCurves, Problem> {
     let place = of.without_dimensions(at);
-    let Prepared { oscillator, scope, axes, .. } = of;
-    let located = located((&oscillator, &scope), &axes, progress)?;
-    let followed = located.follow(progress, &|_, _| ());
-    let diagram = located.with_curves(followed);
-    let far = |(_, point): &(&Resonance, &ResonantGrazingPoint)| {
+    let first = located((&of.oscillator, &of.scope), &of.axes, progress)?;
+    let seen = [Some(first), located_of_other(&of, progress)?].into_iter().flatten();
+    let seen: Vec<Diagram> = seen
+        .map(|located| {
+            let followed = located.follow(progress, &|_, _| ());
+            located.with_curves(followed)
+        })
+        .collect();
+    let window = of.scope.window;
+    let far = |(_, (_, point)): &(&Diagram, (&Resonance, &ResonantGrazingPoint))| {
         let [_, _, primary, secondary] = point.unknowns().into();
-        let [from, to] = [place, [primary, secondary]].map(|place| diagram.scope.window.shares(place));
+        let [from, to] = [place, [primary, secondary]].map(|place| window.shares(place));
         (to[0] - from[0]).abs() + (to[1] - from[1]).abs()
     };
-    let nearest = diagram.unfolding().min_by(|a, b| far(a).total_cmp(&far(b)));
-    let nearest =
+    let all = seen.iter().flat_map(|diagram| diagram.unfolding().map(move |one| (diagram, one)));
+    let nearest = all.min_by(|a, b| far(a).total_cmp(&far(b)));
+    let (diagram, nearest) =
         nearest.ok_or_else(|| Problem::wrong("the ranges contain no resonance at which a theorem holds"))?;
-    Ok(straightened_at(&axes, &diagram, nearest))
+    Ok(straightened_at(&of.axes, diagram, nearest))
 }

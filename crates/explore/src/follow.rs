@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use crate::answer::Problem;
 use crate::diagram::{OWN_CURVE, eigenvalues, named};
 use crate::model::{Model, View};
-use crate::place::{FARTHEST, is_sought};
+use crate::place::{FARTHEST, are_stops, is_sought};
 
 /// The request for a curve through a solution.
 #[derive(Deserialize)]
@@ -26,10 +26,13 @@ pub(crate) struct FollowRequest {
     at: [f64; 2],
     p: u32,
     impacts: Vec<[f64; 2]>,
+    /// The walls that they hit, from 0, if there are two.
+    #[serde(default)]
+    stops: Vec<usize>,
 }
 
 pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Problem> {
-    let &FollowRequest { ref model, ref view, at, p, ref impacts } = request;
+    let &FollowRequest { ref model, ref view, at, p, ref impacts, ref stops } = request;
     let of = model.prepared(Some(view), stop)?;
     let [primary, secondary] = of.without_dimensions(at);
     let Prepared { oscillator, scope, axes, .. } = of;
@@ -38,10 +41,12 @@ pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Pro
         impacts.iter().map(|[velocity, phase]| OnWall::new(velocity / units.velocity(), *phase)).collect();
     let known = is_sought(&scope.loops, p, impacts) && scope.window.contains([primary, secondary]);
     let near = Unknowns::of_impacts(&struck, [primary, secondary]);
+    let known = known && are_stops(&oscillator, impacts, stops);
     if !(known && near.iter().all(|number| number.abs() <= FARTHEST)) {
         return Err(Problem::wrong("the view contains no such solution"));
     }
-    let equations = LoopEquations::new(oscillator, p, Formulation::FixedPhase);
+    let equations =
+        LoopEquations::new(oscillator, p, Formulation::FixedPhase).at_stops(stops.iter().copied());
     let (here, mut times) =
         ([Condition::Primary(primary), Condition::Secondary(secondary)], EventTimes::default());
     let start = locate(&equations, here, near, &mut times)
@@ -57,7 +62,7 @@ pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Pro
         let points = curve.points.iter();
         let points =
             points.map(|point| (units.parameters(point.solution.parameters()), bold(&point.solution)));
-        let mut told = named(OWN_CURVE, [p, 0, rank], "continuation", points.unzip());
+        let mut told = named(OWN_CURVE, [p, 0, rank], 0, "continuation", points.unzip());
         let multipliers = curve.points.iter().map(|point| eigenvalues(&point.solution.multipliers));
         told["multipliers"] = multipliers.collect();
         told["lost"] = json!(curve.lost());

@@ -36,6 +36,9 @@ pub(crate) struct CompareRequest {
     measured: Measured,
 }
 
+/// Why measurements between two walls are not compared.
+const TWO_WALLS: &str = "there are two [[walls]], and measurements are compared with motion at one wall: describe the wall at which they were taken as [wall]";
+
 impl Measured {
     /// The measurements, and the columns that hold them.
     ///
@@ -43,6 +46,9 @@ impl Measured {
     /// The first mistake in the file.
     fn read(&self, model: &Model, stop: &Stop) -> Result<(Vec<Observation>, Vec<String>), Problem> {
         let description = model.description(None, stop)?;
+        if description.has_two_walls() {
+            return Err(Problem::wrong(TWO_WALLS));
+        }
         let own = [description.primary().name(), description.secondary().name()];
         // The paper's oscillator has other names than the text that describes it.
         let paper = Axes::of_the_paper().names;

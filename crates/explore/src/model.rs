@@ -34,8 +34,6 @@ pub struct View {
 
 /// The name of the file in messages.
 const FILE: &str = "oscillator.toml";
-/// Why an oscillator with two walls is not shown.
-const TWO_WALLS: &str = "there are two [[walls]], and the page shows oscillators with one: `grazing unfold` with --at and [[diagrams]] shows what motion between two walls comes to";
 /// The text that describes the paper's oscillator: its constants, ranges and loops, and its motion
 /// where it has to be integrated.
 pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
@@ -90,11 +88,7 @@ impl Model {
     }
 
     pub(crate) fn description(&self, view: Option<&View>, stop: &Stop) -> Result<Description, Mistake> {
-        let description = self.read::<Mistake>(FILE, view, stop)?;
-        match description.has_two_walls() {
-            true => Err(Mistake::new(TWO_WALLS)),
-            false => Ok(description),
-        }
+        self.read(FILE, view, stop)
     }
 
     /// The oscillator in the part of a view in which it is valid, or in the ranges of its file; and what is wrong
@@ -165,6 +159,7 @@ impl Model {
             "notes": description.notes(),
             // x is measured from the wall unless the wall is at x = 0 with the motion below it.
             "from_the_wall": !description.wall().is_usual(),
+            "walls": description.from_each_wall().count(),
             "ordinates": Ordinate::ALL.iter().filter_map(ordinate).collect::<Vec<_>>(),
             "units": { "length": length, "time": time },
         }))

@@ -1,5 +1,8 @@
 //! Motion of the oscillator at one place of the plane.
 
+use core::f64::consts::TAU;
+use core::iter;
+
 use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
@@ -33,14 +36,22 @@ pub(crate) struct PlaceRequest {
 #[derive(Deserialize)]
 struct NearbyMotion {
     solutions: Vec<(u32, Vec<[f64; 2]>)>,
+    /// The walls that the impacts of each solution hit, from 0, if there are two.
+    #[serde(default)]
+    stops: Vec<Vec<usize>>,
     attractors: Vec<(u32, [f64; 3])>,
 }
 
 impl NearbyMotion {
-    fn nearby(&self, loops: &[u32], units: &Units) -> Option<Nearby> {
+    fn nearby(&self, here: &AnyOscillator, loops: &[u32], units: &Units) -> Option<Nearby> {
         let few = self.solutions.len().max(self.attractors.len()) <= MOST_STATES as usize;
         let counted = self.attractors.iter().all(|(states, _)| (1..=MOST_STATES).contains(states));
-        let solutions = self.solutions.iter().filter(|(p, impacts)| is_sought(loops, *p, impacts));
+        let none = Vec::new();
+        let stops = self.stops.iter().chain(iter::repeat(&none));
+        let solutions =
+            self.solutions.iter().zip(stops).filter(|((p, impacts), stops)| {
+                is_sought(loops, *p, impacts) && are_stops(here, impacts, stops)
+            });
         let attractors = self.attractors.iter();
         let near = |value: f64| value.abs() <= FARTHEST;
         let struck =
@@ -52,7 +63,7 @@ impl NearbyMotion {
         };
         (few && counted && moderate).then(|| Nearby {
             solutions: solutions
-                .map(|(p, impacts)| ((*p, Vec::new()), without_dimensions(impacts)))
+                .map(|((p, impacts), stops)| ((*p, stops.clone()), without_dimensions(impacts)))
                 .collect(),
             attractors: attractors
                 .map(|&(states, [position, velocity, phase])| {
@@ -71,6 +82,12 @@ pub(crate) fn is_sought(loops: &[u32], p: u32, impacts: &[[f64; 2]]) -> bool {
         1 => loops.contains(&p),
         several => (2..=MOST_IMPACTS).contains(&several) && (1..=MOST_LOOPS).contains(&p),
     }
+}
+
+/// Whether stops are those of impacts: one for each between two walls, and otherwise none.
+pub(crate) fn are_stops(here: &AnyOscillator, impacts: &[[f64; 2]], stops: &[usize]) -> bool {
+    let each = stops.len() == impacts.len() && stops.iter().all(|stop| *stop < 2);
+    stops.is_empty() || each && here.other_stop().is_some()
 }
 
 /// The most impacts and forcing periods of a solution: motion with more is not recognised as periodic.
@@ -122,7 +139,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             Place::compute(&here, &of.scope, &Starts { states, horizon, ..usual }, stop)
         }
         Some(motion) => {
-            let nearby = motion.nearby(&of.scope.loops, &units).ok_or_else(|| {
+            let nearby = motion.nearby(&here, &of.scope.loops, &units).ok_or_else(|| {
                 Problem::wrong("there are too many nearby solutions, or they are too far away")
             })?;
             Place::followed(&here, &nearby, stop)
@@ -136,11 +153,12 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
     };
     let reached = reached(&found);
     let solution = |(solution, reached): (&Solution, &bool)| {
-        let Solution { loops, impacts, multipliers, admissible, orbit, .. } = solution;
+        let Solution { loops, impacts, stops, multipliers, admissible, orbit } = solution;
         let impacts = impacts.iter().map(|[velocity, phase]| [velocity * units.velocity(), *phase]);
         json!({
             "p": loops,
             "impacts": impacts.collect::<Vec<_>>(),
+            "stops": stops,
             "multipliers": eigenvalues(multipliers),
             "stability": Stability::of(*multipliers).name(),
             "admissible": admissible,
@@ -159,6 +177,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             "loops": fate.loops(),
             "periods": fate.periods,
             "impacts": fate.impacts,
+            "second": fate.second,
             "rests": fate.rests,
             "waited": fate.followed,
             "exponent": exponent.mean / units.time,
@@ -171,10 +190,21 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         "solutions": found.solutions.iter().zip(&reached).map(solution).collect::<Vec<_>>(),
         "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
         "period": found.period * units.time,
+        "beyond": other_wall(&here, &units),
         "states": states,
         "followed": request.nearby.is_some(),
     }))
 }
+
+/// Where the other of two walls is as the first sees it, at even steps of a forcing period; none with one wall.
+fn other_wall(here: &AnyOscillator, units: &Units) -> Vec<f64> {
+    let count = if here.other_stop().is_some() { PHASES } else { 0 };
+    let at = |number: u32| -here.gap(TAU * f64::from(number) / f64::from(PHASES))[0].value * units.length;
+    (0..count).map(at).collect()
+}
+
+/// The number of phases at which the other wall is told.
+const PHASES: u32 = 64;
 
 /// Of each solution, whether it is the nearest to an attractor with as many impacts and loops.
 fn reached(found: &Place) -> Vec<bool> {
@@ -195,7 +225,11 @@ fn reached(found: &Place) -> Vec<bool> {
         };
         let alike = (0..reached.len()).filter(|k| {
             let solution = &found.solutions[*k];
-            (solution.impacts.len(), solution.loops) == (impacts, loops)
+            let second = solution.stops.iter().filter(|stop| **stop == 1).count() as f64;
+            // One wall has no second.
+            let apart = (attractor.fate.second * f64::from(loops) - second).abs();
+            !(apart > 0.5)
+                && (solution.impacts.len(), solution.loops) == (impacts, loops)
                 && solution.multipliers.stable()
                 && solution.admissible
         });

@@ -85,6 +85,14 @@ pub enum Inconclusive {
         /// The number of returns.
         returns: usize,
     },
+    /// An MPS hits the other of two stops, of which the theorem knows nothing.
+    #[error(
+        "at impact velocity {velocity:.0e} a solution hits the other wall, of which the theorem knows nothing"
+    )]
+    OtherStop {
+        /// The impact velocity on the curve.
+        velocity: f64,
+    },
     /// Motion is not as predicted, but it could not be simulated at enough smaller velocities to
     /// conclude that it never is.
     #[error(
@@ -156,6 +164,7 @@ pub fn simulate(
         match Sides::at(point, kind, velocity) {
             Ok(sides) => match sides.as_predicted() {
                 Some(true) => return Simulated::AsPredicted(sides),
+                None if sides.hits_the_other_stop() => doubt = Inconclusive::OtherStop { velocity },
                 Some(false) => {
                     against += 1;
                     if against == VELOCITIES {
@@ -201,6 +210,9 @@ impl fmt::Display for Sides {
                 (ReturnOutcome::MeetsTheWall, _) => {
                     differences.push(format!("the {which} solution hits the wall too early"))
                 }
+                (ReturnOutcome::HitsTheOtherStop, _) => {
+                    differences.push(format!("the {which} solution hits the other wall"))
+                }
                 (ReturnOutcome::GoesElsewhere, _) => {
                     differences.push(format!("the {which} solution does not return"))
                 }
@@ -214,8 +226,17 @@ impl fmt::Display for Sides {
 }
 
 impl Sides {
-    /// Whether simulation agrees with the prediction; `None` if that is undecided.
+    /// Whether one of the MPSs hits the other of two stops.
+    fn hits_the_other_stop(&self) -> bool {
+        self.seen.contains(&ReturnOutcome::HitsTheOtherStop)
+    }
+
+    /// Whether simulation agrees with the prediction; `None` if that is undecided, also where the other of two
+    /// stops is hit.
     pub fn as_predicted(&self) -> Option<bool> {
+        if self.hits_the_other_stop() {
+            return None;
+        }
         let against = |(predicted, seen): (&bool, &Option<bool>)| seen.is_some_and(|seen| seen != *predicted);
         if self.seen != [ReturnOutcome::Returns; 2]
             || self.predicted.iter().zip(&self.attracts).any(against)

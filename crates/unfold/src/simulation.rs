@@ -22,6 +22,8 @@ pub enum ReturnOutcome {
     MeetsTheWall,
     /// There is no impact when it is due, or another one.
     GoesElsewhere,
+    /// The other of two stops is hit first.
+    HitsTheOtherStop,
 }
 
 /// An impact (y, z) that may belong to an MPS.
@@ -67,8 +69,9 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         // The smallest possible difference is of the size of the impact: its velocity, and the time
         // in which this vanishes.
         let stop = self.velocity / self.oscillator.acceleration(from).abs();
-        match orbit.next().map(|flight| (flight.duration, flight.end)) {
-            Some((time, FlightEnd::Impact(impact))) => {
+        match orbit.next().map(|flight| (flight.duration, flight.end, flight.stop)) {
+            Some((_, FlightEnd::Impact(_), 1)) => ReturnOutcome::HitsTheOtherStop,
+            Some((time, FlightEnd::Impact(impact), _)) => {
                 if time < due - BETWEEN_RETURNS * stop {
                     ReturnOutcome::MeetsTheWall
                 } else if time <= due + BETWEEN_RETURNS * stop
@@ -94,7 +97,7 @@ impl<'a, O: ImpactOscillator> Suspect<'a, O> {
         let due = flight_time(self.oscillator, self.loops, phase, recoil[1]);
         let from = State::on_wall(velocity, phase);
         let flight = Orbit::new(self.oscillator, from, due + 0.25 * period, 2).next()?;
-        let FlightEnd::Impact(impact) = flight.end else { return None };
+        let (FlightEnd::Impact(impact), 0) = (flight.end, flight.stop) else { return None };
         let late = flight.duration - due;
         (late > -0.25 * period)
             .then(|| Vector2::new(impact.velocity - self.velocity, by[1] + late * TAU / period))

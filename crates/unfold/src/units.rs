@@ -167,6 +167,7 @@ impl InUnits for Simulated {
                 Inconclusive::TooSlow { leading, least } => vec![leading, least],
                 Inconclusive::NoSolution { velocity, .. }
                 | Inconclusive::SlowConvergence { velocity, .. }
+                | Inconclusive::OtherStop { velocity }
                 | Inconclusive::OnlyHere { velocity } => vec![velocity],
                 Inconclusive::NotMeasured => Vec::new(),
             },

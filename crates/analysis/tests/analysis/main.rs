@@ -2,6 +2,7 @@
 //! why there are none.
 
 mod finished;
+mod known_motion;
 mod nothing;
 mod place;
 mod plane;

@@ -33,6 +33,14 @@ fn simulated_motion_in_closed_form_is_that_which_is_integrated() {
         assert!(simulated(&closed, place, wrong, 1.0).is_err());
     }
     assert!(simulated(&closed, [0.8, -0.8], start, 1.0).is_err());
+    // Nothing begins beyond the other of two walls, 2 away from the first.
+    let text = include_str!("../../../../examples/two-stops.toml");
+    let between = Description::parse(text, "two-stops.toml").expect("it is right");
+    let between = Prepared::new(&between, axes(&between), &Stop::default());
+    assert!(simulated(&between, [0.7, 0.7], [-1.99, 0.0, 0.0], 1.0).is_ok());
+    assert!(
+        simulated(&between, [0.7, 0.7], [-2.01, 0.0, 0.0], 1.0).is_err_and(|why| why.contains("other wall"))
+    );
     stop.ask();
     let ended = simulated(&integrated, place, start, 1.0).expect("it begins");
     assert_eq!((ended.end.as_str(), ended.impacts.len()), ("it cannot be followed", 0));

@@ -187,7 +187,7 @@ fn simulate(
             match seen {
                 ReturnOutcome::Returns => Some(true),
                 ReturnOutcome::NoImpact | ReturnOutcome::MeetsTheWall => Some(false),
-                ReturnOutcome::GoesElsewhere => None,
+                ReturnOutcome::GoesElsewhere | ReturnOutcome::HitsTheOtherStop => None,
             }
         });
         let [first, rest @ ..] = at_sizes;

@@ -371,7 +371,7 @@ fn pages_count_examples_and_published_values() {
     let examples = fs::read_dir(repository().join("examples")).expect("there are examples");
     let files = examples.filter_map(|entry| Some(entry.ok()?.path()));
     let examples = files.filter(|path| path.extension().is_some_and(|kind| kind == "toml")).count();
-    let words = ["sixteen", "seventeen", "eighteen", "nineteen", "twenty"];
+    let words = ["sixteen", "seventeen", "eighteen", "nineteen", "twenty", "twenty-one", "twenty-two"];
     let word = examples.checked_sub(16).and_then(|k| words.get(k)).expect("a word for the number");
     assert!(read("README.md").contains(&format!("[{word} examples]")), "README.md does not say `{word}`");
     let values = &Published::printed().values;

@@ -1,11 +1,11 @@
 //! Motion without impacts of a symmetric oscillator, and motion with one impact at each of two stops.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::{self, MapError};
 use grazing_model::{ImpactOscillator, MapJet, OnWall, State};
 
-use super::{EventTimes, LoopEquations, LoopPair, Round, Unknowns};
+use super::{EventTimes, LoopEquations, LoopPair, Round, Unknowns, planes};
 use crate::newton::{Linearisation, Space};
 use crate::tolerances::RECURS;
 use crate::unknowns::{Square, parameters, unknown};
@@ -40,16 +40,32 @@ impl Symmetry {
     }
 }
 
-/// States and impacts at which an oscillator is compared with its mirror image.
-const STATES: [[f64; 3]; 4] = [[-0.1, 0.3, 0.4], [-0.45, -0.7, 1.9], [-0.2, 0.9, 3.3], [-0.8, -0.2, 5.1]];
-/// Relative difference of forces that is rounding.
+/// Number of states and impacts at which an oscillator is compared with its mirror image; their velocities are up
+/// to this, in units in which motion is of the order of one.
+const STATES: u32 = 48;
+const FASTEST: f64 = 3.0;
+/// Relative difference of forces that is rounding: of phases half a period apart, times the derivative in the phase.
 const ROUNDING: f64 = 1e-12;
+/// Difference of multipliers over both halves of a solution that is its own image: it is off by [`RECURS`] at most, and
+/// multipliers change this many times as much (empirical).
+const SENSITIVE: f64 = 1e3;
 
-/// Whether an oscillator with two stops looks the same from each, half a forcing period later.
+/// Whether an oscillator with two stops looks the same from each, half a forcing period later, at states that fill the
+/// room between the stops evenly.
+///
+/// A difference that vanishes at all of them could be confined to a fiftieth of the room; therefore what is
+/// concluded of a solution is compared with both halves of it as well.
 fn is_symmetric(oscillator: &impl ImpactOscillator) -> bool {
     let Some(other) = oscillator.other_stop() else { return false };
     let same = |a: f64, b: f64| (a - b).abs() <= ROUNDING * (1.0 + a.abs());
-    STATES.iter().all(|&[position, velocity, phase]| {
+    let share = |number: u32, square: f64| {
+        let turns = f64::from(number) * square.sqrt();
+        turns - libm::floor(turns)
+    };
+    (1..=STATES).all(|number| {
+        let phase = TAU * share(number, 2.0);
+        let position = -oscillator.gap(phase)[0].value * share(number, 3.0);
+        let velocity = FASTEST * (2.0 * share(number, 5.0) - 1.0);
         let [here, there] = [phase, phase + PI];
         let forces = same(
             oscillator.acceleration(State { position, velocity, phase: here }),
@@ -86,16 +102,23 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         LoopPair::of(&around, &ahead).into()
     }
 
-    /// The maps over half the time of a solution that is its own mirror image; `None` for all others.
-    pub(super) fn mirrored(&self, point: &Unknowns) -> Option<Round> {
+    /// The maps over half the time of a solution that is its own mirror image, given its flights; `None` for all
+    /// others.
+    pub(super) fn mirrored(&self, point: &Unknowns, flights: &[O::Motion]) -> Option<Round> {
         self.may_be_mirrored(point).then_some(())?;
         let apart = [
             point[unknown::velocity(1)] - point[unknown::VELOCITY],
             point[unknown::phase(1)] - point[unknown::PHASE] - f64::from(self.loops()) * PI,
         ];
         let is_image = apart.iter().all(|apart| apart.abs() < RECURS);
-        (is_image && is_symmetric(&self.oscillator_at(point)))
-            .then(|| self.mirrored_maps::<1>(point, point[unknown::PHASE]))
+        (is_image && is_symmetric(&self.oscillator_at(point))).then_some(())?;
+        let half = self.mirrored_maps::<1>(point, point[unknown::PHASE]);
+        // The maps through both impacts know nothing of a symmetry.
+        let whole = self.fixed_phase_maps::<1>(point, &planes(point), flights).multipliers();
+        let square = half.stability().of_the_square().multipliers;
+        let size = SENSITIVE * RECURS * (1.0 + square.trace.abs() + square.determinant.abs());
+        let apart = [whole.trace - square.trace, whole.determinant - square.determinant];
+        apart.iter().all(|apart| apart.abs() <= size).then_some(half)
     }
 
     /// The equations of solutions that are their own mirror images, with a multiplier of −1 over half the

@@ -3,3 +3,4 @@
 mod browser;
 mod model;
 mod server;
+mod walls;

@@ -20,7 +20,7 @@ fn example() -> String {
     include_str!("../../../../examples/duffing.toml").to_owned()
 }
 
-fn model(text: String) -> Model {
+pub(crate) fn model(text: String) -> Model {
     Model { text: Some(text), set: BTreeMap::new(), loops: None }
 }
 

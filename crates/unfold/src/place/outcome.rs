@@ -64,8 +64,10 @@ impl Outcome {
         }
         match a.kind {
             MotionKind::Periodic => {
-                let first = &other.impacts[0];
-                self.impacts.iter().any(|impact| impact.is_like(BETWEEN_ORBITS, first))
+                // The last impact is the one that is nearest to the cycle.
+                other.impacts.last().is_some_and(|last| {
+                    self.impacts.iter().any(|impact| impact.is_like(BETWEEN_ORBITS, last))
+                })
             }
             MotionKind::Resting => self.resting == other.resting,
             MotionKind::NonImpacting => (self.highest - other.highest).abs() < BETWEEN_ORBITS,

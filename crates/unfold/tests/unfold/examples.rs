@@ -6,6 +6,8 @@ use std::fmt::Write;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_theorems::hypothesis::Quantity;
+use grazing_unfold::Diagram;
+use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::units::InUnits;
@@ -81,12 +83,17 @@ fn assert_unfolds(snapshot: &str) {
             }
         }
     }
+    assert_as_in(snapshot, &text);
+    assert_theory_holds(name, &found);
+}
+
+/// Compares a text with a snapshot.
+fn assert_as_in(snapshot: &str, text: &str) {
     let mut settings = Settings::clone_current();
     settings.set_snapshot_path(file("expected"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| assert_snapshot!(snapshot, text));
-    assert_theory_holds(name, &found);
 }
 
 #[test]
@@ -198,6 +205,31 @@ fn theory_holds_at_the_resonances_of_the_relay() {
 }
 
 #[test]
+fn theory_holds_at_the_resonances_between_two_stops() {
+    assert_unfolds("example_two-stops");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_clapper() {
+    assert_unfolds("example_bell");
+}
+
+#[test]
+fn an_impact_damper_on_a_soft_spring_has_no_resonances() {
+    assert_unfolds("example_impact-damper");
+}
+
+#[test]
+fn where_nothing_holds_the_mass_near_the_wall_there_is_no_grazing_and_no_resonance() {
+    for snapshot in ["example_bouncing-ball", "example_gear-backlash"] {
+        let (oscillator, scope, _) = counted(&format!("{}.toml", snapshot.trim_start_matches("example_")));
+        let found = Diagram::located(&oscillator, &scope, &Silent).expect("it is no error");
+        assert!(found.grazing.is_empty() && found.resonances.is_empty());
+        assert_as_in(snapshot, "");
+    }
+}
+
+#[test]
 fn every_example_has_its_test() {
     let mut names: Vec<String> = std::fs::read_dir(file("examples"))
         .unwrap()
@@ -209,11 +241,15 @@ fn every_example_has_its_test() {
     let tested = [
         "afm",
         "base-excitation",
+        "bell",
+        "bouncing-ball",
         "clearance",
         "door",
         "drill",
         "duffing",
+        "gear-backlash",
         "harvester",
+        "impact-damper",
         "leaf-spring",
         "paper",
         "parametric",
@@ -223,6 +259,7 @@ fn every_example_has_its_test() {
         "rig-si",
         "shaking-table",
         "two-harmonics",
+        "two-stops",
         "varying-impact",
     ];
     assert_eq!(names, tested);
