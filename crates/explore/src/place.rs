@@ -152,13 +152,15 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
         false => Vec::new(),
     };
     let reached = reached(&found);
+    // With one wall nothing need be said of which is hit.
+    let walls = usize::from(here.other_stop().is_some());
     let solution = |(solution, reached): (&Solution, &bool)| {
         let Solution { loops, impacts, stops, multipliers, admissible, orbit } = solution;
         let impacts = impacts.iter().map(|[velocity, phase]| [velocity * units.velocity(), *phase]);
         json!({
             "p": loops,
             "impacts": impacts.collect::<Vec<_>>(),
-            "stops": stops,
+            "stops": stops[..walls * stops.len()],
             "multipliers": eigenvalues(multipliers),
             "stability": Stability::of(*multipliers).name(),
             "admissible": admissible,
