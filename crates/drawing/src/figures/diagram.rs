@@ -158,11 +158,28 @@ fn bounds(canvas: &Canvas, frame: &Frame, up: &str) -> Result<Bounds, DrawingErr
     Ok(Bounds { left, top, right, bottom })
 }
 
-/// The shapes in order of decreasing area; equal areas keep their order.
+/// The shapes in order of decreasing area; equal areas keep their order. Of shapes that lie in the same place, as those of
+/// mirror images between two like walls, the first stands for all.
 fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
-    let mut sorted: Vec<(u32, &[Spot])> = shapes.iter().map(|(p, shape)| (*p, shape.as_slice())).collect();
+    let mut sorted: Vec<(u32, &[Spot])> = Vec::new();
+    for (p, shape) in shapes {
+        if !sorted.iter().any(|(known, other)| known == p && coincide(other, shape)) {
+            sorted.push((*p, shape));
+        }
+    }
     sorted.sort_by(|a, b| area(b.1).total_cmp(&area(a.1)));
     sorted
+}
+
+/// Whether two shapes have the same extent, to a part of a point that nobody sees.
+fn coincide(one: &[Spot], other: &[Spot]) -> bool {
+    let extent = |shape: &[Spot]| {
+        let none = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+        shape.iter().fold(none, |[left, top, right, bottom], &(x, y)| {
+            [left.min(x), top.min(y), right.max(x), bottom.max(y)]
+        })
+    };
+    extent(one).into_iter().zip(extent(other)).all(|(a, b)| (a - b).abs() < 0.1)
 }
 
 #[cfg(test)]
@@ -218,6 +235,19 @@ mod tests {
         }
         let svg = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap().svg();
         assert!(svg.contains("data-tables=\"points curves\" data-columns=\"F_0 Omega\""));
+    }
+
+    #[test]
+    fn regions_of_two_like_walls_that_coincide_have_one_name() {
+        let mut sample = sample(3);
+        let count =
+            |sample: &SampleOscillator| texts(sample).iter().filter(|text| text.starts_with("$p=")).count();
+        let once = count(&sample);
+        let mut mirrored = sample.diagram.regions.clone();
+        let most = mirrored.iter().map(|vertex| vertex.region).max().expect("there are regions");
+        mirrored.iter_mut().for_each(|vertex| (vertex.region, vertex.wall) = (vertex.region + most + 1, 2));
+        sample.diagram.regions.extend(mirrored);
+        assert_eq!(count(&sample), once);
     }
 
     #[test]
