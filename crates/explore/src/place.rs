@@ -228,9 +228,9 @@ fn reached(found: &Place) -> Vec<bool> {
         let alike = (0..reached.len()).filter(|k| {
             let solution = &found.solutions[*k];
             let second = solution.stops.iter().filter(|stop| **stop == 1).count() as f64;
-            // One wall has no second.
             let apart = (attractor.fate.second * f64::from(loops) - second).abs();
-            !(apart > 0.5)
+            // Of one wall it is not a number, as there is no second.
+            (apart.is_nan() || apart < 0.5)
                 && (solution.impacts.len(), solution.loops) == (impacts, loops)
                 && solution.multipliers.stable()
                 && solution.admissible

@@ -51,8 +51,8 @@ fn events(name: &str, asked: &Value) -> (Named, Named) {
     };
     answer(name, &body(asked), (&listener, || Duration::ZERO), &export(), &Stop::default())
         .expect("it is told");
-    let found = seen.lock().expect("nobody panics").clone();
-    found
+    let seen = seen.lock().expect("nobody panics");
+    seen.clone()
 }
 
 fn count<'a>(found: impl Iterator<Item = &'a u32>) -> usize {
