@@ -23,6 +23,23 @@ pub fn route(window: Window, control: StepControl) -> Route<'static> {
     Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true, pace: None }
 }
 
+/// The route of curves that are drawn: in a small window steps are also small, down to where curves
+/// are straight.
+pub(crate) fn drawn(window: Window) -> Route<'static> {
+    let control = StepControl::DRAWING;
+    let [across, up] = window.widths();
+    // A chord of long steps across the shorter side of a long window would deviate too far from its
+    // curve.
+    let size = across.max(up).min(LONG_WINDOW * across.min(up));
+    let longest = control.longest * size.min(1.0);
+    route(window, StepControl { longest: longest.max(LEAST_STEPS * control.shortest), ..control })
+}
+
+/// Ratio of the sides above which a window is long.
+const LONG_WINDOW: f64 = 2.0;
+/// Smallest ratio of the longest steps to the shortest.
+const LEAST_STEPS: f64 = 10.0;
+
 /// A bifurcation curve of the diagram.
 #[derive(Clone, Debug)]
 pub struct DiagramCurve {

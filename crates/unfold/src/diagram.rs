@@ -1,9 +1,8 @@
 //! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and
 //! codimension-two points.
 
-use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, Route, Window};
+use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
 use grazing_model::smooth::Purpose;
@@ -11,8 +10,8 @@ use grazing_model::{AnyOscillator, ImpactOscillator};
 use rayon::prelude::*;
 
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
-use crate::curves::{Net, within};
-use crate::grazing::{GrazingCurve, multipliers};
+use crate::curves::{Net, drawn, within};
+use crate::grazing::GrazingCurve;
 use crate::levels::{Level, LevelCurve, Levels};
 use crate::non_impacting::{self, NonImpacting};
 use crate::progress::Progress;
@@ -103,23 +102,6 @@ const CURVES: &str = "bifurcation curves";
 /// at a resonance are too close to each other there for slices to distinguish them from rounding,
 /// as branches begin at impact velocities of the order of the root of its width.
 const UNDECIDABLE_WIDTH: f64 = 1e-7;
-
-/// The route of curves that are drawn: in a small window steps are also small, down to where curves
-/// are straight.
-pub(crate) fn drawn(window: Window) -> Route<'static> {
-    let control = StepControl::DRAWING;
-    let [across, up] = window.widths();
-    // A chord of long steps across the shorter side of a long window would deviate too far from its
-    // curve.
-    let size = across.max(up).min(LONG_WINDOW * across.min(up));
-    let longest = control.longest * size.min(1.0);
-    route(window, StepControl { longest: longest.max(LEAST_STEPS * control.shortest), ..control })
-}
-
-/// Ratio of the sides above which a window is long.
-const LONG_WINDOW: f64 = 2.0;
-/// Smallest ratio of the longest steps to the shortest.
-const LEAST_STEPS: f64 = 10.0;
 
 /// The window around a narrow one in which curves are found and regions decided.
 fn widened(window: Window) -> Option<Window> {
@@ -325,8 +307,7 @@ impl Diagram {
         for net in nets.iter_mut().filter(|net| net.loops() > 1) {
             let loops = net.loops();
             let one_loop = self.resonances.iter().filter(|resonance| resonance.loops == 1);
-            for resonance in
-                one_loop.chain(&self.one_loop).filter(|resonance| !is_forgotten(resonance, loops))
+            for resonance in one_loop.chain(&self.one_loop).filter(|resonance| !resonance.is_forgotten(loops))
             {
                 let unfold = || resonance.located.unfold_iterated(loops, &route);
                 let (curves, missing) = Purpose::Curves.during(unfold);
@@ -395,7 +376,7 @@ impl Diagram {
             .filter_map(|(index, resonance)| {
                 let point = resonance.theorem.as_ref().ok()?;
                 let none = |missing| Followed { resonance: index, curves: Vec::new(), missing };
-                let followed = match is_forgotten(resonance, resonance.loops) {
+                let followed = match resonance.is_forgotten(resonance.loops) {
                     true => none(Vec::new()),
                     false => match Purpose::Curves.during(|| point.unfold(&route)) {
                         Ok(unfolded) => listed(index, resonance, unfolded),
@@ -413,14 +394,6 @@ impl Diagram {
         progress.end(CURVES);
         followed
     }
-}
-
-/// Whether the curves of solutions with so many loops that leave a resonance lie on the grazing curve, but
-/// for rounding: for two loops and more all that is stable lies at a distance of the order of the square
-/// of the multipliers.
-fn is_forgotten(resonance: &Resonance, loops: u32) -> bool {
-    let orbit = resonance.located.orbit();
-    multipliers(orbit.oscillator(), orbit.phase()).forget(loops.min(2))
 }
 
 /// The curves of a resonance in the order in which they are listed.

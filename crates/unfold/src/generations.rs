@@ -12,8 +12,8 @@ use grazing_model::smooth::Purpose;
 use rayon::prelude::*;
 
 use crate::Scope;
-use crate::curves::DiagramCurve;
-use crate::diagram::{Diagram, drawn};
+use crate::curves::{DiagramCurve, drawn};
+use crate::diagram::Diagram;
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::resonances::{Resonance, Unlocated, distinct, on_curve};

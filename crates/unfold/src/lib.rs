@@ -86,6 +86,7 @@ pub mod magnification;
 pub mod non_impacting;
 pub mod one_parameter;
 mod origin;
+mod outside;
 mod pace;
 pub mod place;
 pub mod progress;

@@ -11,6 +11,7 @@ mod wanted;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_model::AnyOscillator;
+use grazing_model::smooth::Purpose;
 use rayon::prelude::*;
 
 use crate::Scope;
@@ -18,6 +19,7 @@ use crate::curves::{DiagramCurve, Net};
 use crate::faces::{self, Face, Point};
 use crate::grazing::GrazingCurve;
 use crate::levels::{Level, Levels};
+use crate::outside;
 use crate::progress::Progress;
 use crate::search;
 use crate::survey::Survey;
@@ -63,10 +65,13 @@ pub(crate) fn of_mps(
     let levels = levels(window);
     progress.begin(STAGE, nets.len() as u64);
     let found = search::on_slices(oscillator, &scope.loops, window, &levels, progress);
+    let about = outside::about(scope);
+    let beyond = Purpose::Curves.during(|| outside::followed(grazing, &about));
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| solution.clone()).collect();
         let mut survey = Survey::new(net, scope, grazing, found);
+        survey.look_outside(&about, &beyond);
         let regions = decided(window, &mut survey, &levels, progress);
         let levels = survey.levels(asked, progress);
         progress.step(STAGE);
@@ -155,7 +160,7 @@ fn refined(
             let curves = if is_whole { Vec::new() } else { survey.curves().to_vec() };
             last = Some(Seen { judge, lines, curves, is_whole });
         }
-        if levels.is_empty() {
+        if levels.is_empty() && !survey.enters(progress) {
             break;
         }
     }

@@ -10,7 +10,7 @@ use grazing_theorems::HypothesesViolated;
 use grazing_theorems::from_map::GrazingOrbit;
 
 use crate::Scope;
-use crate::grazing::{GrazingCurve, GrazingState};
+use crate::grazing::{GrazingCurve, GrazingState, multipliers};
 use crate::progress::Progress;
 use crate::tolerances::BETWEEN_RESONANCES;
 use crate::winding;
@@ -92,6 +92,14 @@ pub(crate) fn distinct(found: Vec<Resonance>, window: Window) -> Vec<Resonance> 
 }
 
 impl Resonance {
+    /// Whether the curves of solutions with so many loops that leave the resonance lie on the grazing curve, but
+    /// for rounding: for two loops and more all that is stable lies at a distance of the order of the square
+    /// of the multipliers.
+    pub(crate) fn is_forgotten(&self, loops: u32) -> bool {
+        let orbit = self.located.orbit();
+        multipliers(orbit.oscillator(), orbit.phase()).forget(loops.min(2))
+    }
+
     fn is_same(&self, other: &Self, window: Window) -> bool {
         let orbits = [self, other].map(|resonance| resonance.located.orbit());
         let [here, there] = orbits.map(|orbit| orbit.oscillator().parameters());

@@ -17,8 +17,8 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::Scope;
-use crate::curves::{CodimensionTwoPoint, DiagramCurve, Net};
-use crate::diagram::{Diagram, drawn};
+use crate::curves::{CodimensionTwoPoint, DiagramCurve, Net, drawn};
+use crate::diagram::Diagram;
 use crate::generations::{Base, Later, LaterResonance, bases, later};
 use crate::long_time::{Horizon, LongOrbit, random_start};
 use crate::progress::Progress;

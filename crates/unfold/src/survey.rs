@@ -24,6 +24,7 @@ use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
 use crate::levels::{self, Level, Levels};
+use crate::outside;
 use crate::progress::Progress;
 use crate::region::Doubt;
 use crate::sight::Sight;
@@ -51,6 +52,8 @@ pub(crate) struct Survey<'a> {
     crossed: bool,
     /// MPSs on the first slices to which no known curve may lead.
     found: Vec<Unknowns>,
+    /// Bifurcations on curves that enter the window from resonances outside, until they have been looked at.
+    entering: Vec<Event>,
     /// The vertices of lines that have been located.
     vertices: Vertices,
 }
@@ -96,6 +99,7 @@ impl<'a> Survey<'a> {
             columns: Vec::new(),
             crossed: false,
             found,
+            entering: Vec::new(),
             vertices: Vertices::default(),
         }
     }
@@ -188,6 +192,20 @@ impl<'a> Survey<'a> {
             });
         }
         true
+    }
+
+    /// Looks out for curves that enter the window from resonances outside of it, once nothing else leads to any.
+    pub(crate) fn look_outside(&mut self, about: &Scope, grazing: &[GrazingCurve]) {
+        let entering = || outside::entering(&self.net.equations, self.scope, about, grazing);
+        self.entering = Purpose::Curves.during(entering);
+    }
+
+    /// Starts the curves that enter the window and are not known, once; returns whether there are any.
+    pub(crate) fn enters(&mut self, progress: &dyn Progress) -> bool {
+        let entering = core::mem::take(&mut self.entering);
+        let known = self.net.curves.len();
+        self.explain(&entering, progress);
+        self.net.curves.len() > known
     }
 
     /// Follows the branches of slices through the range of η where they meet a column, MPSs once,

@@ -55,6 +55,16 @@ fn what_is_found_in_a_part_of_a_window_is_what_the_closed_form_has_there() {
 }
 
 #[test]
+fn what_enters_a_window_from_a_resonance_outside_of_it_is_found() {
+    // A crescent of two loops lies between two of the first slices, and its resonance at 0.84.
+    let window = Window { primary: [0.732, 0.79], secondary: [0.389, 1.088] };
+    let mut random = Random::new(5);
+    let outcome = lines::compare([0.02209, 0.5089], window, &[1, 2, 3], 500, &mut random);
+    assert!(outcome.wrong.is_empty(), "{:?}", outcome.wrong);
+    assert_eq!(outcome.hatched, 0.0);
+}
+
+#[test]
 fn regions_that_begin_as_good_as_at_grazing_are_found_where_motion_is_strongly_damped() {
     // Saddle-nodes at impact velocities below 1e-6: their curve differs from the grazing curve by
     // 1e-12.
