@@ -9,7 +9,7 @@
 //   place    [primary, secondary] or null; kept: another place, or null
 //   cut      the name of the axis that the cut holds fixed, "primary" or "secondary", or null
 //   ordinate the quantity on the vertical axis of the cut, or null: x
-//   follow   { at, p, impacts } of the solution whose curve is drawn, or null; impacts are [velocity, phase], the slowest first
+//   follow   { at, p, impacts, stops } of the solution whose curve is drawn, or null; impacts are [velocity, phase], the slowest first, stops the walls that they hit, if there are two
 //   overlay  whether simulation is laid over the plane
 //   data     the file of measurements, { name, text }, or null
 //   straight whether curves are shown in straightened coordinates, or null: where they lie on one line
@@ -82,8 +82,8 @@ export function decode(hash) {
   if (finite(short.k, 2)) value.kept = short.k;
   if (short.c === "primary" || short.c === "secondary") value.cut = short.c;
   if (typeof short.u === "string") value.ordinate = short.u;
-  const { at, p, impacts } = short.f ?? {};
-  if (finite(at, 2) && Number.isFinite(p) && Array.isArray(impacts) && impacts.length > 0 && impacts.every((impact) => finite(impact, 2))) value.follow = { at, p, impacts };
+  const { at, p, impacts, stops } = short.f ?? {};
+  if (finite(at, 2) && Number.isFinite(p) && Array.isArray(impacts) && impacts.length > 0 && impacts.every((impact) => finite(impact, 2))) value.follow = { at, p, impacts, ...(Array.isArray(stops) && stops.every((stop) => stop === 0 || stop === 1) ? { stops } : {}) };
   value.overlay = short.o === true;
   if (typeof short.d?.name === "string" && typeof short.d?.text === "string") value.data = { name: short.d.name, text: short.d.text };
   if (typeof short.h === "boolean") value.straight = short.h;

@@ -98,6 +98,9 @@ fn a_solution_is_followed_at_its_velocity_and_along_a_parameter() {
     page.click("#places .place:not(.kept) .card-body > .row button:last-child", [0.0, 0.0]);
     let curves = page.wait(&format!("{QUIET} && use('follow').then(([f]) => f.followed().length && f.followed().map(({{points, name}}) => [points.length, name]))"));
     assert!(curves[0][0].as_u64().is_some_and(|points| points > 10), "{curves}");
+    // The address keeps the walls that are hit, where there are two.
+    let stops = page.value("use('state').then(([s]) => s.decode(s.encode({ ...s.get(), follow: { at: [1, 1], p: 1, impacts: [[1, 0], [1, 3]], stops: [0, 1] } })).follow.stops)");
+    assert_eq!(stops, serde_json::json!([0, 1]));
     // Its multipliers are shown when the pointer is on it.
     let on = page.point("use('follow', 'plane', 'model', 'state').then(([f, p, m, s]) => { const b = document.getElementById('plane').getBoundingClientRect(), to = p.project(m.viewOf(s.get())); \
                          const inside = f.followed()[0].points.map(to).filter(([x, y]) => x > p.frame.x + 5 && x < p.frame.x + p.frame.w - 5 && y > p.frame.y + 5 && y < p.frame.y + p.frame.h - 5); \
