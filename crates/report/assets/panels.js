@@ -69,6 +69,33 @@ const within = (box, bounds, margin) =>
   box.y >= bounds.y - margin && box.y + box.height <= bounds.y + bounds.h + margin;
 
 /**
+ * How often the edges of a path wind about a point. The browser knows as well (`isPointInFill`), but lays out the whole page
+ * before it answers.
+ */
+class Winding {
+  constructor(point) {
+    this.point = point;
+    this.turns = 0;
+    this.crossings = 0;
+  }
+
+  /** Adds the edge between two points; there is none where one is missing. */
+  pass(from, to) {
+    if (!from || !to) return;
+    const [x, y] = this.point;
+    if (from[1] > y === to[1] > y) return;
+    if (from[0] + ((y - from[1]) / (to[1] - from[1])) * (to[0] - from[0]) <= x) return;
+    this.turns += to[1] > from[1] ? 1 : -1;
+    this.crossings += 1;
+  }
+
+  /** Whether the path covers the point, by a rule for filling. */
+  fills(rule) {
+    return (rule === "evenodd" ? this.crossings % 2 : this.turns) !== 0;
+  }
+}
+
+/**
  * A part of a drawing that lies in a panel: `show` puts it where the view wants it, and tells whether
  * any of it is seen there, or its shade only.
  */
@@ -135,12 +162,15 @@ function partOf(node, panel, clip) {
     return { show, restore, dotted: true };
   }
   const filled = node.hasAttribute("fill") && node.getAttribute("fill") !== "none";
+  const rule = node.getAttribute("fill-rule");
   const box = boxOf(node);
   const marker = filled && points.length < 14 && box.width <= MARKER && box.height <= MARKER;
   const show = (to) => {
     let path = "";
     let seen = false;
     let last = null;
+    let first = null;
+    const inside = new Winding([bounds.x + bounds.w / 2, bounds.y + bounds.h / 2]);
     const middle = [box.x + box.width / 2, box.y + box.height / 2];
     const moved = marker && to(...middle);
     for (const [begins, px, py] of points) {
@@ -151,15 +181,16 @@ function partOf(node, panel, clip) {
       const [x, y] = moved ? [px + moved[0] - middle[0], py + moved[1] - middle[1]] : to(px, py);
       seen ||= begins || !last ? sees(x, y) : Scales.within(last, [x, y], edges) !== null;
       path += `${begins ? "M" : "L"}${x.toFixed(2)},${y.toFixed(2)}`;
+      if (begins) {
+        inside.pass(last, first);
+        first = [x, y];
+      } else inside.pass(last, [x, y]);
       last = [x, y];
     }
+    inside.pass(last, first);
     node.setAttribute("d", path);
     node.setAttribute("clip-path", clip);
-    if (!seen && filled && !marker) {
-      const point = node.ownerSVGElement.createSVGPoint();
-      [point.x, point.y] = [bounds.x + bounds.w / 2, bounds.y + bounds.h / 2];
-      if (node.isPointInFill(point)) return "shade";
-    }
+    if (!seen && filled && !marker && inside.fills(rule)) return "shade";
     return seen;
   };
   return { show, restore };

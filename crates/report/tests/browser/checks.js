@@ -6,6 +6,7 @@ addEventListener("load", async () => {
   const check = (name, passed, seen) => results.push(`${passed ? "passed" : "FAILED"}: ${name}${passed ? "" : `: ${JSON.stringify(seen)}`}`);
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
   const turn = () => new Promise((done) => setTimeout(done, 10));
+  const frame = () => new Promise((done) => requestAnimationFrame(done));
   /** Waits until something is so, but not for ever. */
   const until = async (is) => {
     for (const began = performance.now(); !is() && performance.now() - began < PATIENCE; ) await turn();
@@ -74,6 +75,10 @@ addEventListener("load", async () => {
     const drawing = () => all("path, circle, text", svg).filter((node) => !node.closest(".axes, .probe"));
     const state = () => drawing().map((node) => ["d", "x", "y", "cx", "cy", "style", "clip-path"].map((name) => node.getAttribute(name) || "").join());
     const sizes = () => drawing().map((node) => `${node.getAttribute("stroke-width")} ${node.getAttribute("font-size")} ${node.getCTM().a}`).join(";");
+    // The browser lays a figure out once it is to be seen.
+    sheet.scrollIntoView({ block: "center" });
+    await frame();
+    await frame();
     const whole = state().join("\n");
     const wholeSizes = sizes();
     sheet.focus();
