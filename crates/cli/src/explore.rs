@@ -16,7 +16,7 @@ use tempfile::NamedTempFile;
 use crate::arguments;
 use crate::commands::{CommandLine, program};
 use crate::failure::{Failure, computation};
-use crate::folder::{self, OutputFile};
+use crate::folder::{Batch, OutputFile};
 use crate::oscillator::OscillatorFile;
 use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
@@ -24,6 +24,7 @@ use crate::outputs::oscillator::{
     ONE_PARAMETER, PLACES, STRAIGHTENED_CURVES, TWO_PARAMETERS, one_parameter_figure, places, plane,
     straightened_about,
 };
+use crate::runner::{self, Outcome, Plan};
 use crate::{examples, limits, system, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed, or writes it as files.
@@ -33,7 +34,7 @@ use crate::{examples, limits, system, tables, terminal};
 pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
     if let (Some(folder), Some(program)) = (&arguments.static_files, &arguments.program) {
-        return write(folder, program, &examples);
+        return runner::run(|| page(folder, program, &examples), None);
     }
     let export: Export = Box::new(|seen, what, columns, _| {
         exported(seen, what, columns).map_err(|failure| failure.to_string())
@@ -55,8 +56,8 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     server.run(limits::is_interrupted, system::held).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
 
-/// Writes the page and the WebAssembly program in it as files.
-fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Failure> {
+/// Reads the WebAssembly program, which is written with the page as files for any web server.
+fn page<'a>(folder: &Path, program: &Path, examples: &[Example]) -> Result<Plan<'a>, Failure> {
     let content = grazing_source::read_bytes(program, LARGEST_PROGRAM)
         .map_err(|reason| Failure::file(program, &reason))?;
     if !content.starts_with(WASM) {
@@ -69,15 +70,11 @@ fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Fail
     let files: Vec<OutputFile> =
         page.map(|(name, content)| OutputFile { path: name.into(), content }).collect();
     let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
-    folder::ensure_writable(folder, &paths)?;
-    folder::write(folder, &files)?;
-    terminal::say(&format!(
-        "{} files written to {folder}; any web server can serve them.\n",
-        files.len(),
-        folder = folder.display()
-    ));
-    terminal::say_next(&CommandLine::of(&["python3", "-m", "http.server", "-d"]).with(folder.display()));
-    Ok(())
+    let say = |files, folder: &Path| {
+        let next = CommandLine::of(&["python3", "-m", "http.server", "-d"]).with(folder.display()).into();
+        Ok(Outcome { batches: vec![Batch::unlisted(folder, files)], next, ..Outcome::default() })
+    };
+    Ok(Plan::new(|_| Ok(files), say).writing(folder.to_owned(), paths))
 }
 
 /// The first bytes of a program in WebAssembly, and the largest size of one in bytes.

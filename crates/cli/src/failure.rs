@@ -5,6 +5,7 @@ use std::fmt::{self, Display};
 use std::path::Path;
 
 use grazing_description::DescriptionError;
+use grazing_measured::MeasurementError;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_source::SettingError;
@@ -102,6 +103,12 @@ impl From<ParameterError> for Failure {
 
 impl From<DescriptionError> for Failure {
     fn from(error: DescriptionError) -> Self {
+        Self::input(error.to_string())
+    }
+}
+
+impl From<MeasurementError> for Failure {
+    fn from(error: MeasurementError) -> Self {
         Self::input(error.to_string())
     }
 }

@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_description::{Description, DescriptionError, Limits};
 use grazing_model::smooth::Stop;
 use grazing_source::{Setting, Text};
 
+use crate::arguments::Changes;
 use crate::failure::Failure;
 use crate::limits::reading;
 
@@ -30,7 +32,7 @@ pub(crate) fn with_one_wall(
 }
 
 /// What to do where motion at one of two walls is asked for.
-pub(crate) const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
+const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
      show motion between two walls";
 
 /// A file that describes an oscillator.
@@ -48,13 +50,40 @@ impl OscillatorFile {
     ///
     /// # Errors
     /// The file cannot be read, something in it is wrong, or a limit was reached.
-    pub(crate) fn read(file: &Path, settings: &[Setting], limits: Limits) -> Result<Self, Failure> {
-        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
-        let (named, set) = (file.display().to_string(), Text::new(&text, settings));
+    pub(crate) fn read(file: &Path, set: &[Setting], limits: Limits) -> Result<Self, Failure> {
+        let (text, settings) = (read_text(file)?, settings(set));
+        let (named, set) = (file.display().to_string(), Text::new(&text, &settings));
         let read = |stop: &Stop| Ok(Description::parse_with(&set, &named, stop)?);
         let (description, taken) = reading(file, limits, read)?;
-        Ok(Self { file: file.to_owned(), text: noted(&text, settings), description, taken })
+        Ok(Self { file: file.to_owned(), text: noted(&text, &settings), description, taken })
     }
+
+    /// Reads a file as [`read`](Self::read) does, with changes, for a command that may be `for_one_wall`.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read); or there are two walls, or the numbers of loops are wrong.
+    pub(crate) fn changed(
+        file: &Path,
+        changes: &Changes,
+        limits: Limits,
+        for_one_wall: Option<&str>,
+    ) -> Result<Self, Failure> {
+        let of = Self::read(file, &changes.set, limits)?;
+        if let Some(command) = for_one_wall {
+            with_one_wall(file, &of.description, command, AS_ONE_WALL)?;
+        }
+        Ok(Self { description: with_loops(of.description, changes.loops.as_deref())?, ..of })
+    }
+
+    /// The oscillator, ready for an analysis that the mark cancels.
+    pub(crate) fn prepared(&self, stop: &Stop) -> Prepared {
+        Prepared::new(&self.description, axes(&self.description), stop)
+    }
+}
+
+/// The text of a file that describes an oscillator.
+pub(crate) fn read_text(file: &Path) -> Result<String, Failure> {
+    Ok(grazing_source::read_file(file).map_err(DescriptionError::from)?)
 }
 
 /// The text of a file with the settings over it as comments at the top.

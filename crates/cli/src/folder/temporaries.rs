@@ -37,20 +37,59 @@ fn remove(path: &Path) {
     let _ = if is_folder { fs::remove_dir_all(path) } else { fs::remove_file(path) };
 }
 
-/// An empty file in the folder, with the permissions of other new files; it is deleted with the
-/// value unless it is moved into place.
-pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
+/// Begins a file or folder under a name of this run, with the permissions of other new ones.
+fn begun<T>(mode: u32, begin: impl FnOnce(&Builder<'_, '_>) -> io::Result<T>) -> io::Result<T> {
     let prefix = format!("{UNFINISHED}{}-", process::id());
     let mut builder = Builder::new();
     builder.prefix(&prefix);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
+        builder.permissions(fs::Permissions::from_mode(mode));
     }
-    let file = builder.tempfile_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?;
+    #[cfg(not(unix))]
+    let _ = mode;
+    begin(&builder)
+}
+
+/// An empty file in the folder, with the permissions of other new files; it is deleted with the
+/// value unless it is moved into place.
+pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let file = begun(0o666, |builder| builder.tempfile_in(folder))?;
     change_own(|own| own.insert(file.path().to_owned()));
     Ok(file)
+}
+
+/// A new folder, which is filled under a hidden name beside its place.
+pub(super) struct NewFolder(TempDir);
+
+impl NewFolder {
+    /// An empty folder, with the permissions of other new folders; the place must be free.
+    pub(super) fn begin(place: &Path) -> io::Result<Self> {
+        if place.symlink_metadata().is_ok() {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
+        let beside = place.parent().filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::create_dir_all(beside)?;
+        sweep(beside);
+        let folder = begun(0o777, |builder| builder.tempdir_in(beside))?;
+        change_own(|own| own.insert(folder.path().to_owned()));
+        Ok(Self(folder))
+    }
+
+    /// The path of the folder.
+    pub(super) fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// Moves the folder into its place.
+    pub(super) fn finish(self, place: &Path) -> io::Result<()> {
+        fs::rename(self.0.path(), place)?;
+        let path = self.0.keep();
+        change_own(|own| own.remove(&path));
+        Ok(())
+    }
 }
 
 /// A folder for pictures of what changed, in the system's folder for temporary files.
