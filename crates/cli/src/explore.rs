@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::slice;
 
-use grazing_description::Description;
+use grazing_description::{Description, FigureStyle};
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Example, Export, Figure, Limits, Seen, Server, Sheet};
 use grazing_results::Tables;
@@ -20,10 +20,7 @@ use crate::folder::{Batch, OutputFile};
 use crate::oscillator::OscillatorFile;
 use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
-use crate::outputs::oscillator::{
-    ONE_PARAMETER, PLACES, STRAIGHTENED_CURVES, TWO_PARAMETERS, one_parameter_figure, places, plane,
-    straightened_about,
-};
+use crate::outputs::oscillator::Named;
 use crate::runner::{self, Outcome, Plan};
 use crate::{examples, limits, system, tables, terminal};
 
@@ -153,29 +150,20 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
 /// The figures and tables of what the page shows.
 pub(crate) fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Failure> {
     let Seen { name, names, figure } = seen;
-    let of = Path::new("oscillator.toml");
+    let named = Named { of: Path::new("oscillator.toml"), name, names, width };
     let output = match figure {
-        Figure::Plane(diagram, compared) => {
-            let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title.owned());
-            plane(of, name, names, diagram, called, width).map(|mut made| {
-                made.tables.extend(compared.iter().flat_map(|compared| compared.tables(names)));
-                made
+        Figure::Plane(diagram, compared) => named.plane(diagram, FigureStyle::default()).map(|mut made| {
+            made.tables.extend(compared.iter().flat_map(|compared| compared.tables(names)));
+            made
+        }),
+        Figure::OneParameter(diagram) => named
+            .one_parameter(diagram)
+            .map(|figure| {
+                ComputedOutput::new(vec![figure], OneParameter::tables_of(slice::from_ref(diagram), names))
             })
-        }
-        Figure::OneParameter(diagram) => {
-            one_parameter_figure(&ONE_PARAMETER, of, (name, names), diagram, width)
-                .map(|figure| {
-                    ComputedOutput::new(
-                        vec![figure],
-                        OneParameter::tables_of(slice::from_ref(diagram), names),
-                    )
-                })
-                .map_err(Into::into)
-        }
-        Figure::Place(place) => places(&PLACES, of, (name, names), slice::from_ref(place), width),
-        Figure::Straightened(curves) => {
-            straightened_about(&STRAIGHTENED_CURVES, of, (name, names), curves, width)
-        }
+            .map_err(Into::into),
+        Figure::Place(place) => named.places(slice::from_ref(place)),
+        Figure::Straightened(curves) => named.straightened(curves),
     };
     output.map_err(|error| computation("figure", &*error))
 }

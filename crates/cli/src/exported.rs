@@ -61,7 +61,8 @@ struct Script<'a> {
 /// Bad input.
 pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
     let Export { file, at, changes, output } = arguments;
-    let of = OscillatorFile::changed(file, changes, Limits::USUAL, Some("export"))?;
+    let of = OscillatorFile::read(file, &changes.set, Limits::USUAL)?;
+    let of = of.of_one_wall("export", changes.loops.as_deref())?;
     // AUTO reads the name in quotes, and the system as that of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
     let name: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();

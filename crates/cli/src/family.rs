@@ -12,13 +12,13 @@ use grazing_analysis::nothing::Nothing;
 use grazing_description::{Description, Limits};
 use grazing_model::smooth::Stop;
 use grazing_results::brief;
-use grazing_source::{nearest, suggestion};
 
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::Batch;
 use crate::layout::Layout;
 use crate::limits::{EndCause, ended, reading};
+use crate::oscillator::constants;
 use crate::outputs::accompanying;
 use crate::outputs::edition::Edition;
 use crate::outputs::family::{FAMILY, NamedFamily};
@@ -176,20 +176,7 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
             "--vary: given for {count} constants; at most {MOST} can vary, because the tables have {MOST} columns for them"
         )));
     }
-    let known: Vec<&str> = description.constants().map(|(name, _)| name).collect();
-    for (place, Variation(varied)) in vary.iter().enumerate() {
-        let name = varied.name.as_str();
-        if !known.contains(&name) {
-            let near = suggestion(nearest(name, &known));
-            return Err(Failure::input(format!(
-                "--vary {name}: no constant in [parameters] has this name{near} Known: {}",
-                known.join(", ")
-            )));
-        }
-        if vary[..place].iter().any(|Variation(other)| other.name == name) {
-            return Err(Failure::input(format!("--vary {name}: given twice: name every constant once")));
-        }
-    }
+    constants("--vary", vary.iter().map(|Variation(varied)| varied.name.as_str()), description)?;
     let plan = Plan { varied: vary.iter().map(|Variation(varied)| varied.clone()).collect() };
     let count = plan.varied.iter().try_fold(1_usize, |count, varied| count.checked_mul(varied.values.len()));
     match count {

@@ -19,7 +19,7 @@ pub(crate) use manifest::{MANIFEST, list, refuse_mixture};
 pub use place::name_for;
 pub(crate) use place::to_write;
 pub use temporaries::remove_own_temporaries;
-pub(crate) use temporaries::{Changes, sweep};
+pub(crate) use temporaries::{TemporaryFolder, sweep};
 
 use crate::failure::Failure;
 use tempfile::NamedTempFile;
@@ -193,10 +193,11 @@ pub(crate) fn summary(changes: &[(String, Change)]) -> String {
     text
 }
 
-/// The first figure or page among the files, or else the first file: what a user looks at next.
+/// The page among the files, or else the first figure, or else the first file: what a user looks at next.
 pub(crate) fn first(changes: &[(String, Change)]) -> &str {
-    let is_shown = |path: &str| [".html", ".svg", ".pdf", ".png"].iter().any(|end| path.ends_with(end));
-    let shown = changes.iter().find(|(path, change)| *change != Change::Removed && is_shown(path));
+    let written = || changes.iter().filter(|(_, change)| *change != Change::Removed);
+    let with = |ends: &[&str]| written().find(|(path, _)| ends.iter().any(|end| path.ends_with(end)));
+    let shown = with(&[".html"]).or_else(|| with(&[".svg", ".pdf", ".png"]));
     shown.or(changes.first()).map_or("", |(path, _)| path)
 }
 

@@ -8,14 +8,13 @@ use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
 use grazing_model::smooth::SmoothOscillator;
 use grazing_results::measured::Identified;
 use grazing_results::{Names, Tables, brief};
-use grazing_source::{nearest, suggestion};
 
 use crate::arguments::Identify;
 use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, Batch};
 use crate::layout::Layout;
-use crate::oscillator::{OscillatorFile, parameter_names};
+use crate::oscillator::{OscillatorFile, constants, parameter_names};
 use crate::runner::{Next, Outcome, Plan, Running};
 use crate::unfold::numbers::{heads, with_error};
 use crate::{data_page, tables, terminal};
@@ -31,7 +30,8 @@ const OUTPUT: &str = "identify";
 /// Bad input.
 pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
     let Identify { file, data, record, free, changes, limits, .. } = arguments;
-    let of = OscillatorFile::changed(file, changes, limits.over(Limits::USUAL), Some("identify"))?;
+    let of = OscillatorFile::read(file, &changes.set, limits.over(Limits::USUAL))?;
+    let of = of.of_one_wall("identify", changes.loops.as_deref())?;
     let names = parameter_names(&of.description);
     let renamed = arguments.named.of(data.as_deref().or(record.as_deref()))?;
     if !renamed.is_empty() && data.is_some() && record.is_some() {
@@ -41,7 +41,7 @@ pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
     let impacts = record.as_ref().map(|path| read::record(path, names, renamed)).transpose()?;
     let measured = Measurements { points: points.unwrap_or_default(), record: impacts.unwrap_or_default() };
     refuse_gains(record.as_deref().unwrap_or(file), &of.description, &measured)?;
-    let start = starts(free, &of.description)?;
+    let start = constants("--free", free.iter().map(String::as_str), &of.description)?;
     let unused = unused(&measured);
     if unused == measured.points.len() && measured.record.is_empty() {
         let remedy = "measurements without a bifurcation do not constrain the constants: measure where the motion changes (seen = graz, SN, PD, ...), or give a --record of impacts";
@@ -108,27 +108,6 @@ fn refuse_gains(file: &Path, description: &Description, measured: &Measurements)
         }
     }
     Ok(())
-}
-
-/// The values of the constants that are free, as the file has them.
-fn starts(free: &[String], description: &Description) -> Result<Vec<f64>, Failure> {
-    let known: Vec<(&str, f64)> = description.constants().collect();
-    let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
-    let mut values = Vec::new();
-    for (place, name) in free.iter().enumerate() {
-        let Some((_, value)) = known.iter().find(|(known, _)| known == name) else {
-            let near = suggestion(nearest(name, &names));
-            let list = names.join(", ");
-            return Err(Failure::input(format!(
-                "--free {name}: no constant in [parameters] has this name{near} Known: {list}"
-            )));
-        };
-        if free[..place].contains(name) {
-            return Err(Failure::input(format!("--free {name}: named twice: name every constant once")));
-        }
-        values.push(*value);
-    }
-    Ok(values)
 }
 
 fn identified(

@@ -6,9 +6,8 @@ use std::time::Duration;
 use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_description::{Description, DescriptionError, Limits};
 use grazing_model::smooth::Stop;
-use grazing_source::{Setting, Text};
+use grazing_source::{Setting, Text, nearest, suggestion};
 
-use crate::arguments::Changes;
 use crate::failure::Failure;
 use crate::limits::reading;
 
@@ -58,21 +57,18 @@ impl OscillatorFile {
         Ok(Self { file: file.to_owned(), text: noted(&text, &settings), description, taken })
     }
 
-    /// Reads a file as [`read`](Self::read) does, with changes, for a command that may be `for_one_wall`.
+    /// The oscillator with other numbers of loops, if there are any, unless it has two walls.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read); or there are two walls, or the numbers of loops are wrong.
-    pub(crate) fn changed(
-        file: &Path,
-        changes: &Changes,
-        limits: Limits,
-        for_one_wall: Option<&str>,
-    ) -> Result<Self, Failure> {
-        let of = Self::read(file, &changes.set, limits)?;
-        if let Some(command) = for_one_wall {
-            with_one_wall(file, &of.description, command, AS_ONE_WALL)?;
-        }
-        Ok(Self { description: with_loops(of.description, changes.loops.as_deref())?, ..of })
+    /// There are two walls, but the command is for one; or the numbers of loops are wrong.
+    pub(crate) fn of_one_wall(self, command: &str, loops: Option<&[u32]>) -> Result<Self, Failure> {
+        with_one_wall(&self.file, &self.description, command, AS_ONE_WALL)?;
+        self.looped(loops)
+    }
+
+    /// The oscillator with other numbers of loops, if there are any.
+    pub(crate) fn looped(self, loops: Option<&[u32]>) -> Result<Self, Failure> {
+        Ok(Self { description: with_loops(self.description, loops)?, ..self })
     }
 
     /// The oscillator, ready for an analysis that the mark cancels.
@@ -95,6 +91,32 @@ pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
 /// The names of both parameters in the file.
 pub(crate) fn parameter_names(description: &Description) -> [&str; 2] {
     [description.primary().name(), description.secondary().name()]
+}
+
+/// The values of the constants that an option names, as the file has them.
+///
+/// # Errors
+/// There is no such constant, or one is named twice.
+pub(crate) fn constants<'n>(
+    option: &str,
+    names: impl IntoIterator<Item = &'n str>,
+    description: &Description,
+) -> Result<Vec<f64>, Failure> {
+    let (known, values): (Vec<&str>, Vec<f64>) = description.constants().unzip();
+    let mut found: Vec<usize> = Vec::new();
+    for name in names {
+        let Some(place) = known.iter().position(|known| *known == name) else {
+            let (near, list) = (suggestion(nearest(name, &known)), known.join(", "));
+            return Err(Failure::input(format!(
+                "{option} {name}: no constant in [parameters] has this name{near} Known: {list}"
+            )));
+        };
+        if found.contains(&place) {
+            return Err(Failure::input(format!("{option} {name}: named twice: name every constant once")));
+        }
+        found.push(place);
+    }
+    Ok(found.into_iter().map(|place| values[place]).collect())
 }
 
 /// The last part of a path, as text.

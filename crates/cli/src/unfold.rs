@@ -123,9 +123,12 @@ fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> 
 fn tasks(arguments: &arguments::Unfold) -> Result<Vec<(Task, PathBuf)>, Failure> {
     let mut tasks: Vec<(Task, PathBuf)> = Vec::new();
     for file in &arguments.files {
-        let for_one_wall = arguments.data.as_ref().map(|_| "unfold --data");
-        let limits = arguments.limits.over(Limits::USUAL);
-        let of = OscillatorFile::changed(file, &arguments.changes, limits, for_one_wall)?;
+        let (changes, limits) = (&arguments.changes, arguments.limits.over(Limits::USUAL));
+        let of = OscillatorFile::read(file, &changes.set, limits)?;
+        let of = match &arguments.data {
+            Some(_) => of.of_one_wall("unfold --data", changes.loops.as_deref())?,
+            None => of.looped(changes.loops.as_deref())?,
+        };
         let named = folder::name_for(file);
         let folder = match &arguments.output {
             Some(folder) if arguments.files.len() == 1 => folder.clone(),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::slice;
 
 use super::manifest::{FileList, MANIFEST, Origin, UNFINISHED, list, place_of_run};
-use super::temporaries::NewFolder;
+use super::temporaries::TemporaryFolder;
 use super::{Change, Differences, OutputFile, compare, remove, write, written};
 use crate::failure::Failure;
 use crate::terminal;
@@ -86,10 +86,10 @@ impl Batch {
     /// Writes a folder that does not exist yet under another name, with its list, and renames it, so that all of its files appear at
     /// once; none if that cannot be done.
     fn written_whole(&self, place: &Path) -> Option<PathChanges> {
-        let whole = NewFolder::begin(place).ok()?;
+        let whole = TemporaryFolder::for_place(place).ok()?;
         write(whole.path(), &self.files).ok()?;
         write(whole.path(), &[self.list()]).ok()?;
-        whole.finish(place).ok()?;
+        whole.move_to(place).ok()?;
         let new = |file: &OutputFile| (place.join(&file.path).display().to_string(), Change::New);
         Some(self.files.iter().map(new).collect())
     }

@@ -61,51 +61,35 @@ pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
     Ok(file)
 }
 
-/// A new folder, which is filled under a hidden name beside its place.
-pub(super) struct NewFolder(TempDir);
+/// A folder that is deleted with the value, unless it is kept.
+pub(crate) struct TemporaryFolder(TempDir);
 
-impl NewFolder {
-    /// An empty folder, with the permissions of other new folders; the place must be free.
-    pub(super) fn begin(place: &Path) -> io::Result<Self> {
+impl TemporaryFolder {
+    /// A folder beside the free place of a new one, to which it may be moved once it is filled.
+    pub(super) fn for_place(place: &Path) -> io::Result<Self> {
         if place.symlink_metadata().is_ok() {
             return Err(io::ErrorKind::AlreadyExists.into());
         }
         let beside = place.parent().filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
         fs::create_dir_all(beside)?;
         sweep(beside);
-        let folder = begun(0o777, |builder| builder.tempdir_in(beside))?;
-        change_own(|own| own.insert(folder.path().to_owned()));
-        Ok(Self(folder))
+        Ok(Self::own(begun(0o777, |builder| builder.tempdir_in(beside))?))
     }
 
-    /// The path of the folder.
-    pub(super) fn path(&self) -> &Path {
-        self.0.path()
-    }
-
-    /// Moves the folder into its place.
-    pub(super) fn finish(self, place: &Path) -> io::Result<()> {
-        fs::rename(self.0.path(), place)?;
-        let path = self.0.keep();
-        change_own(|own| own.remove(&path));
-        Ok(())
-    }
-}
-
-/// A folder for pictures of what changed, in the system's folder for temporary files.
-pub(crate) struct Changes(TempDir);
-
-impl Changes {
-    /// A new folder for changes in an output folder; stale ones for the same output folder are deleted.
-    pub(crate) fn new(output: &Path) -> io::Result<Changes> {
+    /// A folder for pictures of what changed in an output folder, in the system's folder for temporary files; stale ones for the
+    /// same output folder are deleted.
+    pub(crate) fn for_changes(output: &Path) -> io::Result<Self> {
         let place = std::env::temp_dir();
         let mut hasher = DefaultHasher::new();
         output.canonicalize().unwrap_or_else(|_| output.to_owned()).hash(&mut hasher);
         let kind = format!("{CHANGES}{:016x}-", hasher.finish());
         sweep_kind(&place, &kind);
-        let folder = Builder::new().prefix(&format!("{kind}{}-", process::id())).tempdir_in(place)?;
+        Ok(Self::own(Builder::new().prefix(&format!("{kind}{}-", process::id())).tempdir_in(place)?))
+    }
+
+    fn own(folder: TempDir) -> Self {
         change_own(|own| own.insert(folder.path().to_owned()));
-        Ok(Changes(folder))
+        Self(folder)
     }
 
     /// The path of the folder.
@@ -113,10 +97,17 @@ impl Changes {
         self.0.path()
     }
 
-    /// Keeps the folder until the next run.
+    /// Keeps the folder where it is now.
     pub(crate) fn keep(self) {
         let path = self.0.keep();
         change_own(|own| own.remove(&path));
+    }
+
+    /// Moves the folder to its place.
+    pub(super) fn move_to(self, place: &Path) -> io::Result<()> {
+        fs::rename(self.path(), place)?;
+        self.keep();
+        Ok(())
     }
 }
 
