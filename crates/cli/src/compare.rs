@@ -27,29 +27,11 @@ const DIGITS_BEYOND_PRINT: usize = 4;
 /// # Errors
 /// Bad input.
 pub(crate) fn read(arguments: &Compare) -> Result<Plan<'_>, Failure> {
-    if let (Some(curves), Some(oscillator)) = (&arguments.curves, &arguments.oscillator) {
-        return read_curves(curves, oscillator, arguments);
-    }
-    arguments.named.of(None)?;
-    let parameters = project::parameters(&arguments.parameters)?;
-    let say = |comparisons: Vec<_>, _: &Path| {
-        let coloured = table(terminal::layout(), &comparisons, terminal::is_coloured());
-        let tally = Tally::of(&comparisons);
-        let (text, failure) = match tally.is_complete() {
-            true => (format!("\n{tally}.\n"), None),
-            false => (String::new(), Some(Failure::check(tally.to_string()))),
-        };
-        Ok(Outcome { coloured, text, failure, ..Outcome::default() })
+    let (Some(curves), Some(oscillator)) = (&arguments.curves, &arguments.oscillator) else {
+        arguments.named.of(None)?;
+        let parameters = project::parameters(&arguments.parameters)?;
+        return Ok(Plan::new(move |_| published(&Study::new(&parameters)), said));
     };
-    Ok(Plan::new(move |_| published(&Study::new(&parameters)), say))
-}
-
-/// Reads another program's curves and the oscillator that they belong to.
-fn read_curves<'a>(
-    curves: &'a Path,
-    oscillator: &'a Path,
-    arguments: &'a Compare,
-) -> Result<Plan<'a>, Failure> {
     let Compare { named, curve, within, parameters, .. } = arguments;
     let of = OscillatorFile::read(oscillator, &parameters.set, Limits::USUAL)?;
     let foreign = Foreign { columns: named.of(Some(curves))?.to_vec(), curve: *curve };
@@ -84,6 +66,17 @@ fn read_curves<'a>(
         Ok(Outcome { text, failure, ..Outcome::default() })
     };
     Ok(Plan::new(compute, say).within(oscillator, limits))
+}
+
+/// The comparison with the published values, and whether they are met.
+fn said(comparisons: Vec<Comparison<'_>>, _: &Path) -> Result<Outcome, Failure> {
+    let coloured = table(terminal::layout(), &comparisons, terminal::is_coloured());
+    let tally = Tally::of(&comparisons);
+    let (text, failure) = match tally.is_complete() {
+        true => (format!("\n{tally}.\n"), None),
+        false => (String::new(), Some(Failure::check(tally.to_string()))),
+    };
+    Ok(Outcome { coloured, text, failure, ..Outcome::default() })
 }
 
 /// How far points are from the curves of their kinds, as a table.

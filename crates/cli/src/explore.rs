@@ -16,7 +16,7 @@ use tempfile::NamedTempFile;
 use crate::arguments;
 use crate::commands::{CommandLine, program};
 use crate::failure::{Failure, computation};
-use crate::folder::{Batch, OutputFile};
+use crate::folder::OutputFile;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
@@ -69,7 +69,7 @@ fn page<'a>(folder: &Path, program: &Path, examples: &[Example]) -> Result<Plan<
     let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
     let say = |files, folder: &Path| {
         let next = CommandLine::of(&["python3", "-m", "http.server", "-d"]).with(folder.display()).into();
-        Ok(Outcome { batches: vec![Batch::unlisted(folder, files)], next, ..Outcome::default() })
+        Ok(Outcome { next, ..Outcome::unlisted(files, folder)? })
     };
     Ok(Plan::new(|_| Ok(files), say).writing(folder.to_owned(), paths))
 }

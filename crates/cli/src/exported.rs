@@ -13,7 +13,7 @@ use grazing_unfold::progress::Silent;
 
 use crate::arguments::Export;
 use crate::failure::Failure;
-use crate::folder::{self, Batch, OutputFile};
+use crate::folder::{self, OutputFile};
 use crate::oscillator::OscillatorFile;
 use crate::runner::{Outcome, Plan, Running};
 use crate::template::rendered;
@@ -86,7 +86,7 @@ pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
             solution.loops,
             folder.display()
         );
-        Ok(Outcome { batches: vec![Batch::unlisted(folder, files)], remark, ..Outcome::default() })
+        Ok(Outcome { remark, ..Outcome::unlisted(files, folder)? })
     };
     Ok(Plan::new(compute, say).within(file, limits).writing(folder, places))
 }

@@ -77,6 +77,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             installed::completions(arguments);
             Ok(())
         }
-        Command::Manual(arguments) => installed::manual(arguments),
+        Command::Manual(arguments) => runner::run(|| installed::manual(arguments), None),
     }
 }

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::commands::CommandLine;
 use crate::failure::Failure;
-use crate::folder::{self, Batch, OutputFile};
+use crate::folder::{self, OutputFile};
 use crate::limits::ended;
 use crate::runner::{Next, Outcome, Plan, Running};
 use crate::variation::Part;
@@ -99,13 +99,13 @@ pub(crate) fn plan<'a, W: Divided + 'a>(
         records.ok_or_else(|| ended(file, running.end_cause(), outcome))
     };
     let say = move |records, folder: &Path| {
-        let batches = vec![Batch::unlisted(folder, vec![made(part, work, records)?])];
         let first = match part.parts {
             1 => String::new(),
             parts => format!("once all {parts} parts are there, "),
         };
         let merge = CommandLine::own("merge").with_files(folder.join(PARTS).display(), "*.toml");
-        Ok(Outcome { batches, next: Next::Command(first, merge), ..Outcome::default() })
+        let next = Next::Command(first, merge);
+        Ok(Outcome { next, ..Outcome::unlisted(vec![made(part, work, records)?], folder)? })
     };
     Plan::new(complete, say).writing(folder, [path(part)])
 }

@@ -14,7 +14,7 @@ use grazing_unfold::progress::Progress;
 
 use crate::commands::CommandLine;
 use crate::failure::{Failure, INCOMPLETE};
-use crate::folder::{self, Batch, Change, Differences, counted, summary};
+use crate::folder::{self, Batch, Change, Differences, OutputFile, counted, summary};
 use crate::limits::{self, EndCause, Watch, ended};
 use crate::progress::Display;
 use crate::{data_page, terminal, visual};
@@ -259,6 +259,14 @@ impl Plan<'_> {
 }
 
 impl Outcome {
+    /// The outcome of files alone, which no list names.
+    ///
+    /// # Errors
+    /// None.
+    pub(crate) fn unlisted(files: Vec<OutputFile>, folder: &Path) -> Result<Self, Failure> {
+        Ok(Self { batches: vec![Batch::unlisted(folder, files)], ..Self::default() })
+    }
+
     /// Writes all files.
     fn write(&self) -> Result<Vec<(String, Change)>, Failure> {
         let mut changes = Vec::new();
