@@ -50,10 +50,8 @@ pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
             file.display()
         )));
     }
-    let folder = match &arguments.output {
-        Some(folder) => folder.clone(),
-        None => Path::new(RESULTS).join(folder::name_for(file)),
-    };
+    let usual = || Path::new(RESULTS).join(folder::name_for(file));
+    let folder = arguments.output.clone().unwrap_or_else(usual);
     let limits = (limits.over(of.description.limits()), of.taken);
     let names = axes(&of.description).names;
     let compute = move |running: &Running<'_>| {

@@ -116,7 +116,7 @@ impl Task<'_> {
         let running = self.running(&of);
         let task = unfold::Task { of, measured: None, at: Vec::new() };
         let found = unfold::unfold(task, &|of, stop| self.prepared(of, stop), &running, &|_| ())?;
-        let (analysed, description) = (&found.analysed, &found.of.description);
+        let (analysed, description) = (&found.analysed, &found.analysed.oscillator.description);
         let unfolded = &analysed.unfolded;
         let contradictions = listing::contradictions(&unfolded.resonances).into_iter();
         let contradictions =

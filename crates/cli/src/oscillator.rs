@@ -35,6 +35,7 @@ const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one
      show motion between two walls";
 
 /// A file that describes an oscillator.
+#[derive(Clone)]
 pub(crate) struct OscillatorFile {
     pub(crate) file: PathBuf,
     /// The text of the file, with the settings over it as comments at the top.

@@ -33,8 +33,8 @@ pub(crate) fn read(arguments: &Reproduce) -> Result<Plan<'_>, Failure> {
     let (edition, set) = (arguments.look.edition(), &arguments.parameters.set);
     let parameters = project::parameters(&arguments.parameters)?;
     let folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
-    let chosen: Vec<&Output<Study>> =
-        paper::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
+    let is_chosen = |name: &str| arguments.only.is_empty() || arguments.only.iter().any(|only| only == name);
+    let chosen: Vec<&Output<Study>> = paper::ALL.iter().filter(|output| is_chosen(output.name)).collect();
     paper::refuse_malformed(chosen.iter().copied(), &Study::new(&parameters))?;
     let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths(&edition)).collect();
     paths.extend(latex::FILES.iter().filter(|_| edition.has(Format::Tex)).map(PathBuf::from));
@@ -227,10 +227,6 @@ fn origin(parameters: &ParameterFile) -> Result<String, Failure> {
     let set: String = parameters.set.iter().map(|setting| format!("{setting}\n")).collect();
     let all = format!("{text}\n{set}{}", env!("CARGO_PKG_VERSION"));
     Ok(FileDigest::of("", all.as_bytes()).sha256)
-}
-
-fn is_chosen(output: &Output<Study>, only: &[String]) -> bool {
-    only.is_empty() || only.iter().any(|name| name == output.name)
 }
 
 /// The command that writes the files of this check.

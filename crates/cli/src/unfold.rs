@@ -52,7 +52,6 @@ pub(crate) struct Task {
 
 /// An oscillator that was unfolded.
 pub(crate) struct Diagram {
-    pub(crate) of: OscillatorFile,
     pub(crate) analysed: AnalysedOscillator,
     /// The cause that ended the computation, if anything is missing.
     pub(crate) met: Option<EndCause>,
@@ -90,11 +89,11 @@ fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> 
         let (files, left_out) = diagram.files(&edition, running)?;
         let failure = if diagram.met.is_some() {
             let outcome = "the unfinished parts are named above; everything else is written";
-            Some(ended(&diagram.of.file, diagram.met, outcome))
+            Some(ended(&diagram.analysed.oscillator.file, diagram.met, outcome))
         } else if left_out.is_empty() {
             diagram.verdict().err()
         } else {
-            Some(limits::no_room(&diagram.of.file, running.limits(), &left_out))
+            Some(limits::no_room(&diagram.analysed.oscillator.file, running.limits(), &left_out))
         };
         let incomplete = diagram.met.is_some() || !left_out.is_empty();
         Ok((diagram, files, incomplete, failure))
@@ -103,9 +102,9 @@ fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> 
         let layout = terminal::layout();
         let mut text = diagram.listing(layout);
         if arguments.explain {
-            let Diagram { of, analysed, motion, .. } = &diagram;
-            text.push_str(&explanation::all(layout, &of.description, &analysed.unfolded));
-            text.push_str(&explanation::steps(layout, motion.by_purpose()));
+            let AnalysedOscillator { oscillator, unfolded, .. } = &diagram.analysed;
+            text.push_str(&explanation::all(layout, &oscillator.description, unfolded));
+            text.push_str(&explanation::steps(layout, diagram.motion.by_purpose()));
         }
         Ok(Outcome {
             text,
@@ -192,15 +191,15 @@ pub(crate) fn unfold(
     let places: Vec<AtPlace> = (1..).zip(&at).map_while(place).collect();
     let missing = at[places.len()..].to_vec();
     let met = met.or_else(|| running.end_cause().filter(|_| unfinished || !missing.is_empty()));
-    let analysed = AnalysedOscillator::new(&of.file, &of.description, unfolded).measured(compared).at(places);
-    Ok(Diagram { of, analysed, met, missing, motion })
+    let analysed = AnalysedOscillator::new(of, unfolded).measured(compared).at(places);
+    Ok(Diagram { analysed, met, missing, motion })
 }
 
 impl Diagram {
     /// All that was found, as lines.
     pub(crate) fn listing(&self, layout: Layout) -> String {
-        let Self { of: OscillatorFile { description, .. }, analysed, missing, .. } = self;
-        let unfolded = &analysed.unfolded;
+        let Self { analysed, missing, .. } = self;
+        let (description, unfolded) = (&analysed.oscillator.description, &analysed.unfolded);
         let mut text = listing::results(layout, description, unfolded);
         if let Some((other, seen)) = unfolded.other.as_deref().zip(description.from_each_wall().nth(1)) {
             let heading = "As the second wall sees it, without one-parameter diagrams; motion without impacts is the same";
@@ -224,8 +223,8 @@ impl Diagram {
         let (mut files, floats, left_out) = made?;
         let tables = of.outputs().flat_map(|output| output.tables).copied();
         let about = data_page::of_an_oscillator(tables, &of.unfolded.axes.names);
-        files.extend(accompanying(edition, &floats, self.of.description.constants(), about));
-        files.push(page::page(&self.of, &of.unfolded, &computed, &files));
+        files.extend(accompanying(edition, &floats, of.oscillator.description.constants(), about));
+        files.push(page::page(of, &computed, &files));
         Ok((files, left_out))
     }
 
@@ -236,7 +235,7 @@ impl Diagram {
         let mut seen = [Some(unfolded), other].into_iter().flatten();
         let missing = seen.find_map(|unfolded| listing::incomplete(&unfolded.diagram));
         let other = other.map_or(&[][..], |other| &other.resonances);
-        verdict(&self.of.file, &[unfolded.resonances.as_slice(), other].concat(), missing)
+        verdict(&self.analysed.oscillator.file, &[unfolded.resonances.as_slice(), other].concat(), missing)
     }
 }
 

@@ -1,10 +1,10 @@
 //! The outputs that `unfold` writes about an oscillator.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use grazing_analysis::unfolded::{AlongGrazing, AtResonances, Unfolded};
-use grazing_description::{Description, FigureStyle, Named as Legend};
+use grazing_description::{FigureStyle, Named as Legend};
 use grazing_drawing::{
     DrawingError, Heading, Look, Sheet, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
@@ -20,14 +20,14 @@ use grazing_results::{Names, Stability, Tables, brief, columns};
 use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
 use crate::failure::Failure;
+use crate::oscillator::OscillatorFile;
 
 /// The analysis of an oscillator from a text file.
 pub(crate) type Analysis = Unfolded;
 
 /// An oscillator from a file, analysed.
 pub(crate) struct AnalysedOscillator {
-    file: PathBuf,
-    description: Description,
+    pub(crate) oscillator: OscillatorFile,
     pub(crate) unfolded: Analysis,
     diagram: PlaneDiagram,
     /// The comparison with measurements.
@@ -38,10 +38,9 @@ pub(crate) struct AnalysedOscillator {
 
 impl AnalysedOscillator {
     /// The analysis of the oscillator that the file describes.
-    pub(crate) fn new(file: &Path, description: &Description, unfolded: Analysis) -> Self {
+    pub(crate) fn new(oscillator: OscillatorFile, unfolded: Analysis) -> Self {
         let diagram = unfolded.plane_diagram();
-        let (file, description) = (file.to_owned(), description.clone());
-        Self { file, description, unfolded, diagram, compared: None, places: Vec::new() }
+        Self { oscillator, unfolded, diagram, compared: None, places: Vec::new() }
     }
 
     /// Adds the comparison with measurements.
@@ -80,7 +79,12 @@ impl AnalysedOscillator {
     }
 
     fn named(&self, width: SheetWidth) -> Named<'_> {
-        Named { of: &self.file, name: self.description.name(), names: self.names(), width }
+        Named {
+            of: &self.oscillator.file,
+            name: self.oscillator.description.name(),
+            names: self.names(),
+            width,
+        }
     }
 
     fn names(&self) -> &Names {
@@ -118,8 +122,8 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             Title::plain("resonances"),
             AtResonances::TABLES,
             |_, of: &AnalysedOscillator, _| {
-                let title = format!("Coefficients of {}", of.description.name().replace('$', ""));
-                let label = Caption::label("tab", &of.file, COEFFICIENT_COLUMNS.0);
+                let title = format!("Coefficients of {}", of.oscillator.description.name().replace('$', ""));
+                let label = Caption::label("tab", &of.oscillator.file, COEFFICIENT_COLUMNS.0);
                 Ok(ComputedOutput {
                     tables: of.unfolded.at_resonances().tables(of.names()),
                     printed: vec![(
@@ -186,7 +190,7 @@ pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
         Title::plain("two-parameter bifurcation diagram"),
         PlaneDiagram::TABLES,
         |_, of: &AnalysedOscillator, width| {
-            of.named(width).plane(&of.diagram, of.description.figure().clone())
+            of.named(width).plane(&of.diagram, of.oscillator.description.figure().clone())
         },
     )
 };
@@ -278,7 +282,7 @@ impl Named<'_> {
     }
 
     fn magnifications(&self, output: &Output<AnalysedOscillator>, of: &AnalysedOscillator) -> Computed {
-        let (style, tables) = (of.description.figure().clone(), ["magnifications"]);
+        let (style, tables) = (of.oscillator.description.figure().clone(), ["magnifications"]);
         let title = format!("{}: magnifications about resonant grazing bifurcations", self.name);
         let description = format!(
             "{} Dashed: the quadratic approximations to the saddle-node and period-doubling curves.",

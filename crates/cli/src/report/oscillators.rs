@@ -53,10 +53,10 @@ impl OscillatorFile {
         drop(own);
         let outcome = "the unfinished parts are named on the page";
         let met = met.map(|met| ended(&self.file, Some(met), outcome));
-        let analysed = AnalysedOscillator::new(&self.file, &self.description, unfolded);
+        let analysed = AnalysedOscillator::new(self.clone(), unfolded);
         let progress: &dyn Progress = &**running.progress();
         let computed = progress.during(FIGURES, 1, || analysed.computed(SheetWidth::Paper))?;
-        let mut entry = page::entry(self, &analysed.unfolded, &computed);
+        let mut entry = page::entry(&analysed, &computed);
         if root.is_some_and(|root| self.file.parent() == Some(&root.join(examples::EXAMPLES))) {
             entry.file = format!("{}/{}", examples::EXAMPLES, entry.file);
             entry.link = link.map(|link| format!("{link}{}", entry.file));
