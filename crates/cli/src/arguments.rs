@@ -141,17 +141,6 @@ pub struct Threads {
     pub jobs: Option<u16>,
 }
 
-impl Threads {
-    /// Sets their number.
-    pub(crate) fn start(&self) -> Result<(), Failure> {
-        let Some(jobs) = self.jobs else { return Ok(()) };
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(jobs));
-        pool.build_global().map_err(|error| {
-            Failure::input(format!("--jobs {jobs}: the threads could not be started: {error}"))
-        })
-    }
-}
-
 /// Changes to values in the description of an oscillator.
 #[derive(Debug, Args)]
 pub struct Changes {

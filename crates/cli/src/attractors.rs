@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
 
 use grazing_model::smooth::Stop;
 use grazing_reproduction::figures::beyond_attractors::{
@@ -14,15 +13,15 @@ use grazing_source::{Setting, Text};
 use serde::{Deserialize, Serialize};
 
 use crate::arguments;
-use crate::commands::CommandLine;
 use crate::failure::{Failure, computation};
-use crate::folder::{self, summary};
+use crate::folder::Batch;
 use crate::layout::Layout;
-use crate::outputs::edition::{Edition, Format};
-use crate::outputs::{Output, latex, paper};
+use crate::outputs::edition::Edition;
+use crate::outputs::{Output, accompanying, paper};
 use crate::part::{self, Divided, Joined};
 use crate::progress::Display;
-use crate::{data_page, limits, project, terminal};
+use crate::runner::{Next, Outcome, Plan, Running};
+use crate::{data_page, project, terminal};
 
 /// The folder of the results, unless another one is named.
 const RESULTS: &str = "attractors";
@@ -93,70 +92,62 @@ impl Divided for MapWork {
     }
 }
 
-/// Computes a map, or a part of it.
+/// Reads a map, or a part of it.
 ///
 /// # Errors
-/// Bad input, before anything is computed.
-pub(crate) fn run(arguments: &arguments::Attractors) -> Result<(), Failure> {
-    limits::leave_nothing_behind();
-    let began = Instant::now();
+/// Bad input.
+pub(crate) fn read(arguments: &arguments::Attractors) -> Result<Plan<'_>, Failure> {
+    let arguments::Attractors { part, output, look, .. } = arguments;
     let work = MapWork::new(arguments)?;
     let task = work.task()?;
     let count = MapWork::count(&task);
-    let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
-    let edition = arguments.look.edition();
-    let rows = arguments.part.map_or(Ok(0..count), |part| part::items::<MapWork>(part, count))?;
-    let written = arguments.part.map_or_else(|| paths(&edition), |part| vec![part::path(part)]);
-    folder::ensure_writable(&folder, &written)?;
-    arguments.threads.start()?;
-    let records = task.map()?.rows(rows);
-    match arguments.part {
-        Some(part) => {
-            let made = part::made(part, work, records)?;
-            terminal::say(&summary(&folder::written(&folder, &[made])?));
-            part::say_next(part, &folder);
-            Ok(())
-        }
-        None => finish(&task, records, &folder, &edition, began),
-    }
+    let rows = part.map_or(Ok(0..count), |part| part::items::<MapWork>(part, count))?;
+    let folder = output.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
+    let Some(part) = *part else {
+        return Ok(plan(move |task| Ok(task.map()?.rows(rows)), task, folder, look.edition()));
+    };
+    let compute = move |_: &Running<'_>| Ok(task.map()?.rows(rows).into_iter().map(Some).collect());
+    Ok(part::plan(part, work, folder, Path::new(RESULTS), compute))
 }
 
-/// Joins the parts of a map, and writes the same files as one run does.
+/// Whether the first part is one of a map.
+pub(crate) fn has_part(arguments: &arguments::Merge) -> bool {
+    arguments.parts.first().is_some_and(|first| part::is_of::<MapWork>(first))
+}
+
+/// Reads the parts of a map, of which the same files are written as one run does.
 ///
 /// # Errors
 /// A file is not a part or belongs to another map, or a part is missing or given twice.
-pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
-    let began = Instant::now();
+pub(crate) fn merge(arguments: &arguments::Merge) -> Result<Plan<'_>, Failure> {
     let Joined { task, records, .. } = part::joined::<MapWork>(&arguments.parts)?;
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
-    let edition = arguments.look.edition();
-    folder::ensure_writable(&folder, &paths(&edition))?;
-    finish(&task, records, &folder, &edition, began)
+    Ok(plan(|_| Ok(records), task, folder, arguments.look.edition()))
 }
 
-/// Writes the figure and tables of all rows, and prints where regions and motion disagree.
-fn finish(
-    task: &MapTask,
-    rows: Vec<MapRow>,
-    folder: &Path,
-    edition: &Edition,
-    began: Instant,
-) -> Result<(), Failure> {
-    let shown = task.map()?.assembled(rows).map_err(failure)?;
-    let counts = counted(terminal::layout(), &shown);
-    let computed = paper::computed(&OUTPUT, &task.asked, &task.study, &shown, edition.columns);
-    let computed = computed.map_err(|error| computation(OUTPUT.name, &*error))?;
-    let (mut files, floats) = computed.files(edition)?;
-    if edition.has(Format::Tex) {
-        files.extend(latex::files(&floats, []));
-    }
-    files.push(data_page::of_the_paper(OUTPUT.tables.iter().copied()));
-    let written = folder::write_run(folder, &files, false)?;
-    computed.notes.iter().for_each(|note| terminal::note(note));
-    terminal::say(&format!("{counts}\n{}", summary(&written)));
-    terminal::say(&format!("{:.1} s\n", began.elapsed().as_secs_f64()));
-    terminal::say_next(&CommandLine::of(&["open"]).with(folder::first(&written)));
-    Ok(())
+/// The plan of a whole map: its figure and tables, and where regions and motion disagree.
+fn plan<'a>(
+    rows: impl FnOnce(&MapTask) -> Result<Vec<MapRow>, Failure> + 'a,
+    task: MapTask,
+    folder: PathBuf,
+    edition: Edition,
+) -> Plan<'a> {
+    let paths = OUTPUT.paths(&edition);
+    let compute = move |_: &Running<'_>| {
+        let rows = rows(&task)?;
+        Ok((task, rows))
+    };
+    let say = move |(task, rows): (MapTask, _), folder: &Path| {
+        let shown = task.map()?.assembled(rows).map_err(failure)?;
+        let computed = paper::computed(&OUTPUT, &task.asked, &task.study, &shown, edition.columns);
+        let computed = computed.map_err(|error| computation(OUTPUT.name, &*error))?;
+        let (mut files, floats) = computed.files(&edition)?;
+        let about = data_page::of_the_paper(OUTPUT.tables.iter().copied());
+        files.extend(accompanying(&edition, &floats, [], about));
+        let (text, batches) = (counted(terminal::layout(), &shown), vec![Batch::run(folder, files)]);
+        Ok(Outcome { text, batches, next: Next::Look, notes: computed.notes, ..Outcome::default() })
+    };
+    Plan::new(compute, say).writing_run(folder, paths)
 }
 
 /// The numbers of places at which regions and attractors agree, and at which they do not.
@@ -166,11 +157,4 @@ fn counted(layout: Layout, shown: &Attractors) -> String {
         [loops, in_regions, settled, unseen, unexplained].map(|count| count.to_string()).to_vec()
     };
     layout.aligned(&["p", "in regions", "settled", "unseen", "unexplained"], shown.counts.iter().map(line))
-}
-
-/// The paths of all files of a map.
-fn paths(edition: &Edition) -> Vec<PathBuf> {
-    let mut paths = OUTPUT.paths(edition);
-    paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);
-    paths
 }

@@ -1,109 +1,136 @@
 //! `grazing certify`: proves what Figure 7 shows of the paper's oscillator, and writes the
 //! certificate.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use grazing_certify::ball::Ball;
 use grazing_certify::resonance::{NAMES, Resonance};
+use grazing_certify::row::Row;
 use grazing_certify::statement::{Decimal, Statement, WIDTH_PLACES};
 use grazing_certify::{certificate, prove, summary};
 use grazing_claims::published::Published;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::figures::beyond_proofs::statement;
-use grazing_unfold::progress::Progress as _;
+use grazing_unfold::progress::Progress;
 
 use crate::arguments::Certify;
 use crate::commands::CommandLine;
 use crate::failure::{Failure, computation};
-use crate::folder::{self, OutputFile};
-use crate::progress::Display;
-use crate::{limits, project, terminal};
+use crate::folder::{Batch, OutputFile};
+use crate::runner::{Outcome, Plan, Running};
+use crate::{limits, project};
 
 /// The default folder of the certificate, from the root of the repository.
 const CERTIFICATE: &str = "expected/certificate";
 /// The default folder of certificates with settings over the parameter file.
 const VARIED: &str = "varied/certificate";
+/// The files of the certificate.
+const FILES: [&str; 3] = ["statement.csv", "resonances.csv", "rows.csv"];
 
-/// Proves statements, prints them, and writes or checks the certificate.
+/// What is proved of a statement.
+struct Proof {
+    statement: Statement,
+    resonances: Vec<Resonance>,
+    rows: Vec<Row>,
+    interrupted: bool,
+}
+
+/// Reads the statements that are to be proved.
 ///
 /// # Errors
-/// Something is undecided, the files differ from what the code produces, or they cannot be written.
-pub(crate) fn run(arguments: &Certify) -> Result<(), Failure> {
-    limits::listen();
+/// Bad input.
+pub(crate) fn read(arguments: &Certify) -> Result<Plan<'_>, Failure> {
+    let Certify { check, output, parameters, .. } = arguments;
     let failed = |error: StudyError| computation("certify", &error);
-    let statement = statement(&project::parameters(&arguments.parameters)?).map_err(failed)?;
-    let mut folder = match &arguments.output {
+    let statement = statement(&project::parameters(parameters)?).map_err(failed)?;
+    let folder = match output {
         Some(folder) => folder.clone(),
-        None if arguments.parameters.set.is_empty() => project::root_folder()?.join(CERTIFICATE),
+        None if parameters.set.is_empty() => project::root_folder()?.join(CERTIFICATE),
         None => project::root_folder()?.join(VARIED),
     };
-    let names = ["statement.csv", "resonances.csv", "rows.csv"].map(PathBuf::from);
-    if !arguments.check {
-        folder::ensure_writable(&folder, &names)?;
-    }
-    arguments.threads.start()?;
-
-    let frequency = statement.frequency.map(Decimal::ball);
-    let resonances = Resonance::in_window(&statement.oscillator, &statement.loops, frequency);
-    let (display, what) = (Display::new(), "proofs over the window");
-    let rows =
-        prove(&statement, |parts| display.begin(what, parts), || display.step(what), limits::is_interrupted);
-    let interrupted = limits::is_interrupted();
-    display.end(what);
-    if interrupted && arguments.check {
-        return Err(Failure::incomplete("interrupted: nothing was compared"));
-    }
-
-    let published = Published::printed();
-    for resonance in &resonances {
-        terminal::say(&(summary::resonance(resonance).join("\n") + "\n"));
-        printed(&statement, published, resonance).iter().for_each(|line| terminal::say(line));
-    }
-    for rows in rows.chunk_by(|a, b| a.interval.p == b.interval.p) {
-        terminal::say(&format!("\np = {}\n", rows[0].interval.p));
-        for stretch in summary::stretches(rows) {
-            terminal::say(&format!("  {}\n", summary::sentence(&statement, stretch)));
+    let compute = |running: &Running<'_>| {
+        let proof = Proof::of(statement, &**running.progress());
+        match proof.interrupted && *check {
+            true => Err(Failure::incomplete("interrupted: nothing was compared")),
+            false => Ok(proof),
         }
-    }
-    let points = summary::points(&statement, &rows).count();
-    let share = summary::undecided_share(&rows);
-    let others = summary::exceptions(&rows);
-    let Statement { frequency: [lowest, highest], amplitude: [low, high], .. } = &statement;
-    terminal::say(&format!(
-        "\n{} intervals. Tubes around GZ curves are at most 1e-{WIDTH_PLACES} of A wide. Away from resonances, GZ curves that bound stable motion end or meet at {points} points of the window {lowest} <= omega <= {highest}, {low} <= A <= {high}, and at no others{others}. The undecided share of nu is {share:.1e}.\n",
-        rows.len(),
-    ));
+    };
+    let say = |proof: Proof, folder: &Path| {
+        let (points, share) = (proof.points(), summary::undecided_share(&proof.rows));
+        let batch = Batch { incomplete: proof.interrupted, ..Batch::unlisted(folder, proof.files(points)) };
+        let checker = project::root().unwrap_or_default().join(CERTIFICATE).join("check.py");
+        let next = CommandLine::of(&["python3"]).with(checker.display()).with(batch.place().display());
+        let mend = || {
+            let folder = output.iter().map(|folder| ("--output", folder.display().to_string()));
+            CommandLine::own("certify").options(parameters.options().chain(folder))
+        };
+        let unshown = proof.resonances.iter().any(|resonance| !resonance.missing.is_empty());
+        let failure = match (proof.interrupted, share > 0.0 || unshown) {
+            (true, _) => Some("interrupted: what was not tried yet is undecided in the certificate"),
+            (_, true) => Some("not everything could be proved, see above; the rest is in the certificate"),
+            _ => None,
+        };
+        Ok(Outcome {
+            text: proof.listing(points, share),
+            batches: vec![batch],
+            check: check.then(mend),
+            next: next.into(),
+            failure: failure.map(Failure::incomplete),
+            ..Outcome::default()
+        })
+    };
+    let plan = Plan::new(compute, say).finishing();
+    Ok(plan.writing(folder, FILES.map(PathBuf::from)).checking(*check))
+}
 
-    let (rows, numbers) = (certificate::rows(&rows), certificate::resonances(&resonances));
-    let stated = certificate::statement(&statement, points, &numbers, &rows);
-    let contents = [stated, numbers, rows];
-    let files: Vec<OutputFile> = names
-        .into_iter()
-        .zip(contents)
-        .map(|(path, content)| OutputFile { path, content: content.into_bytes() })
-        .collect();
-    if arguments.check {
-        files.iter().try_for_each(|file| same(&folder, file))?;
-    } else {
-        folder = folder::place_to_write(&folder, &files, interrupted);
-        folder::write(&folder, &files)?;
-        terminal::say(&format!("{}: the certificate is written.\n", folder.display()));
+impl Proof {
+    /// Proves what can be proved until it is interrupted.
+    fn of(statement: Statement, progress: &dyn Progress) -> Self {
+        let frequency = statement.frequency.map(Decimal::ball);
+        let resonances = Resonance::in_window(&statement.oscillator, &statement.loops, frequency);
+        let what = "proofs over the window";
+        let (begin, step) = (|parts| progress.begin(what, parts), || progress.step(what));
+        let rows = prove(&statement, begin, step, limits::is_interrupted);
+        let interrupted = limits::is_interrupted();
+        progress.end(what);
+        Self { statement, resonances, rows, interrupted }
     }
-    if !arguments.check {
-        let check = project::root().unwrap_or_default().join(CERTIFICATE).join("check.py");
-        let command = CommandLine::of(&["python3"]).with(check.display()).with(folder.display());
-        terminal::say_next(&command);
+
+    /// The number of points at which GZ curves end or meet.
+    fn points(&self) -> usize {
+        summary::points(&self.statement, &self.rows).count()
     }
-    let unshown = resonances.iter().filter(|resonance| !resonance.missing.is_empty()).count();
-    match (share > 0.0, unshown) {
-        _ if interrupted => {
-            Err(Failure::incomplete("interrupted: what was not tried yet is undecided in the certificate"))
+
+    /// The certificate.
+    fn files(&self, points: usize) -> Vec<OutputFile> {
+        let (numbers, rows) = (certificate::resonances(&self.resonances), certificate::rows(&self.rows));
+        let stated = certificate::statement(&self.statement, points, &numbers, &rows);
+        let contents = FILES.into_iter().zip([stated, numbers, rows]);
+        contents
+            .map(|(path, content)| OutputFile { path: path.into(), content: content.into_bytes() })
+            .collect()
+    }
+
+    /// What is proved, as lines.
+    fn listing(&self, points: usize, share: f64) -> String {
+        let Self { statement, resonances, rows, .. } = self;
+        let (mut text, published) = (String::new(), Published::printed());
+        for resonance in resonances {
+            text.push_str(&(summary::resonance(resonance).join("\n") + "\n"));
+            text.extend(printed(statement, published, resonance));
         }
-        (false, 0) => Ok(()),
-        _ => Err(Failure::incomplete(
-            "not everything could be proved, see above; the rest is in the certificate",
-        )),
+        for rows in rows.chunk_by(|a, b| a.interval.p == b.interval.p) {
+            text.push_str(&format!("\np = {}\n", rows[0].interval.p));
+            for stretch in summary::stretches(rows) {
+                text.push_str(&format!("  {}\n", summary::sentence(statement, stretch)));
+            }
+        }
+        let Statement { frequency: [lowest, highest], amplitude: [low, high], .. } = statement;
+        text + &format!(
+            "\n{} intervals. Tubes around GZ curves are at most 1e-{WIDTH_PLACES} of A wide. Away from resonances, GZ curves that bound stable motion end or meet at {points} points of the window {lowest} <= omega <= {highest}, {low} <= A <= {high}, and at no others{others}. The undecided share of nu is {share:.1e}.\n",
+            rows.len(),
+            others = summary::exceptions(rows),
+        )
     }
 }
 
@@ -124,18 +151,4 @@ fn printed(statement: &Statement, published: &Published, resonance: &Resonance) 
         Some(format!("  {} = {} in print: {verdict} to the printed digits\n", value.quantity, value.printed))
     };
     NAMES.into_iter().zip(numbers).filter_map(line).collect()
-}
-
-/// Checks that the file in the folder has this content.
-fn same(folder: &Path, file: &OutputFile) -> Result<(), Failure> {
-    let path = folder.join(&file.path);
-    let found = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
-    if found == file.content {
-        return Ok(());
-    }
-    let path = path.display();
-    Err(Failure::check(format!(
-        "{path}: differs from what the code produces: write it again with `{}`",
-        CommandLine::own("certify")
-    )))
 }

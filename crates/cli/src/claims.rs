@@ -4,6 +4,8 @@ mod listing;
 
 use std::collections::BTreeSet;
 use std::io;
+use std::path::Path;
+use std::sync::LazyLock;
 
 use grazing_claims::audit::{Finding, audit};
 use grazing_claims::errata;
@@ -16,21 +18,22 @@ use crate::arguments::Claims;
 use crate::commands::CommandLine;
 use crate::compare::published;
 use crate::failure::Failure;
-use crate::folder::{self, OutputFile};
-use crate::progress::Display;
+use crate::folder::{self, Batch, OutputFile};
+use crate::runner::{Outcome, Plan, Running};
 use crate::{project, terminal};
 
 /// The page of errata, from the root of the repository.
 const ERRATA: &str = "docs/ERRATA.md";
 
-/// Tests the selected claims and prints the results.
+/// What the paper states.
+pub(crate) static LEDGER: LazyLock<Ledger> = LazyLock::new(Ledger::of_the_paper);
+
+/// Reads which claims are to be tested.
 ///
 /// # Errors
-/// Claims do not hold, `ERRATA.md` differs from what the ledger produces, or nothing could be tested.
-pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
-    crate::limits::leave_nothing_behind();
-    let ledger = Ledger::of_the_paper();
-    let chosen: Vec<&Claim> = ledger.claims.iter().filter(|claim| is_chosen(claim, arguments)).collect();
+/// Bad input.
+pub(crate) fn read(arguments: &Claims) -> Result<Plan<'_>, Failure> {
+    let chosen: Vec<&Claim> = LEDGER.claims.iter().filter(|claim| is_chosen(claim, arguments)).collect();
     if chosen.is_empty() {
         let wanted = arguments.labels.join(" ");
         return Err(Failure::input(format!(
@@ -39,22 +42,22 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
         )));
     }
     let parameters = project::parameters(&arguments.parameters)?;
-    let findings = findings(&parameters, &chosen, &Display::new())?;
-    let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
-    terminal::say_coloured(&listing::table(
-        terminal::layout(),
-        &findings,
-        arguments.explain,
-        terminal::is_coloured(),
-    ));
-    terminal::say(&listing::summary(&findings));
-    if failing > 0 {
-        return Err(Failure::check(format!("{failing} of {} claims do not hold", findings.len())));
-    }
-    if chosen.len() == ledger.claims.len() {
-        errata_page(&findings, arguments.write_errata)?;
-    }
-    Ok(())
+    let compute = move |running: &Running<'_>| findings(&parameters, &chosen, &**running.progress());
+    let say = |findings: Vec<Finding<'_>>, _: &Path| {
+        let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
+        let (batches, failure) = match failing {
+            0 if findings.len() == LEDGER.claims.len() => errata_page(&findings, arguments.write_errata),
+            0 => Default::default(),
+            _ => {
+                let all = findings.len();
+                (Vec::new(), Some(Failure::check(format!("{failing} of {all} claims do not hold"))))
+            }
+        };
+        let (explain, coloured) = (arguments.explain, terminal::is_coloured());
+        let coloured = listing::table(terminal::layout(), &findings, explain, coloured);
+        Ok(Outcome { coloured, text: listing::summary(&findings), batches, failure, ..Outcome::default() })
+    };
+    Ok(Plan::new(compute, say))
 }
 
 /// The findings of testing the claims.
@@ -64,15 +67,14 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
 pub(crate) fn findings<'a>(
     parameters: &Parameters,
     claims: &[&'a Claim],
-    display: &Display,
+    progress: &dyn Progress,
 ) -> Result<Vec<Finding<'a>>, Failure> {
-    let progress: &dyn Progress = display;
     let numbers = progress.during("published values", 1, || published(&Study::new(parameters)))?;
     let task = "claims";
     let checks: BTreeSet<&str> = claims.iter().filter_map(|claim| claim.check_name()).collect();
-    display.begin(task, checks.len() as u64);
-    let found = audit(claims, &numbers, || display.step(task));
-    display.end(task);
+    progress.begin(task, checks.len() as u64);
+    let found = audit(claims, &numbers, || progress.step(task));
+    progress.end(task);
     Ok(found)
 }
 
@@ -94,32 +96,25 @@ fn matches(wanted: &str, label: &str) -> bool {
     label.strip_prefix(start).is_some_and(|after| ends(after) || matches(rest, ""))
 }
 
-/// Writes `ERRATA.md`, or compares the existing one with the ledger.
-fn errata_page(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
-    let root = match project::root() {
-        None if !write => return Ok(()),
-        None => {
-            return Err(Failure::input(
-                "--write-errata: the page belongs in a clone of the repository, and this is not one",
-            ));
-        }
-        Some(root) => root,
+/// `ERRATA.md`, or the failure if the existing one differs from the ledger.
+fn errata_page(findings: &[Finding<'_>], write: bool) -> (Vec<Batch>, Option<Failure>) {
+    let Some(root) = project::root() else {
+        let absent = "--write-errata: the page belongs in a clone of the repository, and this is not one";
+        return (Vec::new(), write.then(|| Failure::input(absent)));
     };
-    let content = errata::page(findings).into_bytes();
+    let page = OutputFile { path: ERRATA.into(), content: errata::page(findings).into_bytes() };
     if write {
-        let file = OutputFile { path: ERRATA.into(), content };
-        folder::write(&root, &[file])?;
-        terminal::say(&format!("{} is written.\n", root.join(ERRATA).display()));
-        return Ok(());
+        return (vec![Batch::unlisted(&root, vec![page])], None);
     }
     let path = root.join(ERRATA);
-    match folder::read(&path) {
-        Ok(present) if present == content => Ok(()),
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::file(&path, &error)),
-        _ => Err(Failure::check(
+    let failure = match folder::read(&path) {
+        Ok(present) if present == page.content => None,
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Some(Failure::file(&path, &error)),
+        _ => Some(Failure::check(
             "docs/ERRATA.md differs from the page that the ledger gives: update it with `cargo xtask claims --write-errata`",
         )),
-    }
+    };
+    (Vec::new(), failure)
 }
 
 #[cfg(test)]

@@ -9,45 +9,78 @@ use grazing_measured::read::{self, Foreign};
 use grazing_measured::{Apart, apart};
 use grazing_reproduction::Study;
 
-use crate::arguments::{Compare, ParameterFile};
+use crate::arguments::Compare;
 use crate::failure::{Failure, computation};
 use crate::layout::Layout;
-use crate::limits::{Watch, ended};
-use crate::oscillator::{OscillatorFile, parameter_names, settings};
+use crate::limits::ended;
+use crate::oscillator::{OscillatorFile, parameter_names};
+use crate::runner::{Outcome, Plan, Running};
 use crate::unfold::analysis::analyse;
-use crate::{limits, project, terminal};
+use crate::{project, terminal};
 
 /// How many digits more than the print has are shown of a computed value.
 const DIGITS_BEYOND_PRINT: usize = 4;
 
-/// Prints the comparison.
+/// Reads what is to be compared: another program's curves with those of an oscillator, or the values that the paper prints
+/// with the computed ones.
 ///
 /// # Errors
-/// A value is not met, a curve lies elsewhere, or there is nothing to compare.
-pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
-    match (&arguments.curves, &arguments.oscillator) {
-        (Some(curves), Some(oscillator)) => foreign(curves, oscillator, arguments),
-        _ => {
-            arguments.named.of(None)?;
-            print(&arguments.parameters)
+/// Bad input.
+pub(crate) fn read(arguments: &Compare) -> Result<Plan<'_>, Failure> {
+    let (Some(curves), Some(oscillator)) = (&arguments.curves, &arguments.oscillator) else {
+        arguments.named.of(None)?;
+        let parameters = project::parameters(&arguments.parameters)?;
+        return Ok(Plan::new(move |_| published(&Study::new(&parameters)), said));
+    };
+    let Compare { named, curve, within, parameters, .. } = arguments;
+    let of = OscillatorFile::read(oscillator, &parameters.set, Limits::USUAL)?;
+    let foreign = Foreign { columns: named.of(Some(curves))?.to_vec(), curve: *curve };
+    let points = read::curves(curves, parameter_names(&of.description), &foreign)?;
+    let limits = (of.description.limits(), of.taken);
+    let compute = move |running: &Running<'_>| {
+        let (unfolded, met) = analyse(&of, of.prepared(&running.stop()), running, &|_| ())?;
+        match met {
+            Some(_) => Err(ended(oscillator, met, "nothing was compared")),
+            None => Ok(apart(&points, &unfolded.axes, &unfolded.diagram, *within)),
         }
-    }
+    };
+    let say = move |kinds: Vec<Apart>, _: &Path| {
+        let total = |count: fn(&Apart) -> u32| kinds.iter().map(count).sum::<u32>();
+        let (curves, all, far) = (curves.display(), total(|kind| kind.points), total(|kind| kind.far));
+        let mut text = distances(terminal::layout(), &kinds);
+        let failure = match (all, far) {
+            (0, _) => Some(Failure::input(format!(
+                "{curves}: no point of a bifurcation curve lies within the ranges of {}",
+                oscillator.display()
+            ))),
+            (_, 0) => {
+                let near =
+                    format!("All {all} points lie within {within:e} of the ranges of a curve of their kind.");
+                text.push_str(&format!("\n{near}\n"));
+                None
+            }
+            _ => Some(Failure::check(format!(
+                "{curves}: {far} of {all} points lie farther than {within:e} of the ranges from every admissible part of a curve of their kind"
+            ))),
+        };
+        Ok(Outcome { text, failure, ..Outcome::default() })
+    };
+    Ok(Plan::new(compute, say).within(oscillator, limits))
 }
 
-/// Prints how far the points of another program's curves are from those of an oscillator.
-fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), Failure> {
-    let of = OscillatorFile::read(oscillator, &settings(&arguments.parameters.set), Limits::USUAL)?;
-    let Compare { named, curve, within, .. } = arguments;
-    let foreign = Foreign { columns: named.of(Some(curves))?.to_vec(), curve: *curve };
-    let points = read::curves(curves, parameter_names(&of.description), &foreign);
-    let points = points.map_err(|error| Failure::input(error.to_string()))?;
-    arguments.threads.start()?;
-    limits::listen();
-    let (unfolded, met) = analyse(&of, Watch::begin(of.description.limits(), of.taken), &|_| ())?;
-    if met.is_some() {
-        return Err(ended(oscillator, met, "nothing was compared"));
-    }
-    let kinds = apart(&points, &unfolded.axes, &unfolded.diagram, *within);
+/// The comparison with the published values, and whether they are met.
+fn said(comparisons: Vec<Comparison<'_>>, _: &Path) -> Result<Outcome, Failure> {
+    let coloured = table(terminal::layout(), &comparisons, terminal::is_coloured());
+    let tally = Tally::of(&comparisons);
+    let (text, failure) = match tally.is_complete() {
+        true => (format!("\n{tally}.\n"), None),
+        false => (String::new(), Some(Failure::check(tally.to_string()))),
+    };
+    Ok(Outcome { coloured, text, failure, ..Outcome::default() })
+}
+
+/// How far points are from the curves of their kinds, as a table.
+fn distances(layout: Layout, kinds: &[Apart]) -> String {
     let row = |Apart { curve, points, outside, far, farthest: (distance, line) }: &Apart| {
         let farthest = match distance {
             0.0 => String::new(),
@@ -57,41 +90,7 @@ fn foreign(curves: &Path, oscillator: &Path, arguments: &Compare) -> Result<(), 
         [curve.words(), points.to_string(), outside.to_string(), far.to_string(), farthest, line.to_string()]
             .into()
     };
-    let heads = ["curve", "points", "outside", "too far", "farthest", "line"];
-    terminal::say(&terminal::layout().aligned(&heads, kinds.iter().map(row)));
-    let total = |count: fn(&Apart) -> u32| kinds.iter().map(count).sum::<u32>();
-    let (all, far) = (total(|kind| kind.points), total(|kind| kind.far));
-    match (all, far) {
-        (0, _) => Err(Failure::input(format!(
-            "{}: no point of a bifurcation curve lies within the ranges of {}",
-            curves.display(),
-            oscillator.display()
-        ))),
-        (_, 0) => {
-            terminal::say(&format!(
-                "\nAll {all} points lie within {within:e} of the ranges of a curve of their kind.\n"
-            ));
-            Ok(())
-        }
-        _ => Err(Failure::check(format!(
-            "{}: {far} of {all} points lie farther than {within:e} of the ranges from every admissible part of a curve of their kind",
-            curves.display()
-        ))),
-    }
-}
-
-/// Prints the values that the paper prints beside the computed ones.
-fn print(file: &ParameterFile) -> Result<(), Failure> {
-    crate::limits::leave_nothing_behind();
-    let parameters = project::parameters(file)?;
-    let comparisons = published(&Study::new(&parameters))?;
-    terminal::say_coloured(&table(terminal::layout(), &comparisons, terminal::is_coloured()));
-    let tally = Tally::of(&comparisons);
-    if !tally.is_complete() {
-        return Err(Failure::check(tally.to_string()));
-    }
-    terminal::say(&format!("\n{tally}.\n"));
-    Ok(())
+    layout.aligned(&["curve", "points", "outside", "too far", "farthest", "line"], kinds.iter().map(row))
 }
 
 /// The values that the paper prints, each with the one that the study computes.

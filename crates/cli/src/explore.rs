@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::slice;
 
-use grazing_description::Description;
+use grazing_description::{Description, FigureStyle};
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Example, Export, Figure, Limits, Seen, Server, Sheet};
 use grazing_results::Tables;
@@ -16,14 +16,12 @@ use tempfile::NamedTempFile;
 use crate::arguments;
 use crate::commands::{CommandLine, program};
 use crate::failure::{Failure, computation};
-use crate::folder::{self, OutputFile};
+use crate::folder::OutputFile;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
-use crate::outputs::oscillator::{
-    ONE_PARAMETER, PLACES, STRAIGHTENED_CURVES, TWO_PARAMETERS, one_parameter_figure, places, plane,
-    straightened_about,
-};
+use crate::outputs::oscillator::Named;
+use crate::runner::{self, Outcome, Plan};
 use crate::{examples, limits, system, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed, or writes it as files.
@@ -33,7 +31,7 @@ use crate::{examples, limits, system, tables, terminal};
 pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
     if let (Some(folder), Some(program)) = (&arguments.static_files, &arguments.program) {
-        return write(folder, program, &examples);
+        return runner::run(|| page(folder, program, &examples), None);
     }
     let export: Export = Box::new(|seen, what, columns, _| {
         exported(seen, what, columns).map_err(|failure| failure.to_string())
@@ -55,8 +53,8 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     server.run(limits::is_interrupted, system::held).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
 
-/// Writes the page and the WebAssembly program in it as files.
-fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Failure> {
+/// Reads the WebAssembly program, which is written with the page as files for any web server.
+fn page<'a>(folder: &Path, program: &Path, examples: &[Example]) -> Result<Plan<'a>, Failure> {
     let content = grazing_source::read_bytes(program, LARGEST_PROGRAM)
         .map_err(|reason| Failure::file(program, &reason))?;
     if !content.starts_with(WASM) {
@@ -69,15 +67,11 @@ fn write(folder: &Path, program: &Path, examples: &[Example]) -> Result<(), Fail
     let files: Vec<OutputFile> =
         page.map(|(name, content)| OutputFile { path: name.into(), content }).collect();
     let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
-    folder::ensure_writable(folder, &paths)?;
-    folder::write(folder, &files)?;
-    terminal::say(&format!(
-        "{} files written to {folder}; any web server can serve them.\n",
-        files.len(),
-        folder = folder.display()
-    ));
-    terminal::say_next(&CommandLine::of(&["python3", "-m", "http.server", "-d"]).with(folder.display()));
-    Ok(())
+    let say = |files, folder: &Path| {
+        let next = CommandLine::of(&["python3", "-m", "http.server", "-d"]).with(folder.display()).into();
+        Ok(Outcome { next, ..Outcome::unlisted(files, folder)? })
+    };
+    Ok(Plan::new(|_| Ok(files), say).writing(folder.to_owned(), paths))
 }
 
 /// The first bytes of a program in WebAssembly, and the largest size of one in bytes.
@@ -156,29 +150,20 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
 /// The figures and tables of what the page shows.
 pub(crate) fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Failure> {
     let Seen { name, names, figure } = seen;
-    let of = Path::new("oscillator.toml");
+    let named = Named { of: Path::new("oscillator.toml"), name, names, width };
     let output = match figure {
-        Figure::Plane(diagram, compared) => {
-            let called = (TWO_PARAMETERS.figure_file(), TWO_PARAMETERS.title.owned());
-            plane(of, name, names, diagram, called, width).map(|mut made| {
-                made.tables.extend(compared.iter().flat_map(|compared| compared.tables(names)));
-                made
+        Figure::Plane(diagram, compared) => named.plane(diagram, FigureStyle::default()).map(|mut made| {
+            made.tables.extend(compared.iter().flat_map(|compared| compared.tables(names)));
+            made
+        }),
+        Figure::OneParameter(diagram) => named
+            .one_parameter(diagram)
+            .map(|figure| {
+                ComputedOutput::new(vec![figure], OneParameter::tables_of(slice::from_ref(diagram), names))
             })
-        }
-        Figure::OneParameter(diagram) => {
-            one_parameter_figure(&ONE_PARAMETER, of, (name, names), diagram, width)
-                .map(|figure| {
-                    ComputedOutput::new(
-                        vec![figure],
-                        OneParameter::tables_of(slice::from_ref(diagram), names),
-                    )
-                })
-                .map_err(Into::into)
-        }
-        Figure::Place(place) => places(&PLACES, of, (name, names), slice::from_ref(place), width),
-        Figure::Straightened(curves) => {
-            straightened_about(&STRAIGHTENED_CURVES, of, (name, names), curves, width)
-        }
+            .map_err(Into::into),
+        Figure::Place(place) => named.places(slice::from_ref(place)),
+        Figure::Straightened(curves) => named.straightened(curves),
     };
     output.map_err(|error| computation("figure", &*error))
 }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use askama::Template;
 use grazing_analysis::unfolded::{Prepared, axes};
-use grazing_description::Description;
-use grazing_model::smooth::SmoothOscillator as _;
+use grazing_description::{Description, Limits};
+use grazing_model::smooth::{SmoothOscillator as _, Stop};
 use grazing_model::{ImpactOscillator as _, State};
 use grazing_results::Stability;
 use grazing_unfold::place::{Place, Solution, Starts};
@@ -14,10 +14,9 @@ use grazing_unfold::progress::Silent;
 use crate::arguments::Export;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
-use crate::limits::{self, Watch, ended};
-use crate::oscillator::{AS_ONE_WALL, OscillatorFile, settings, with_loops, with_one_wall};
+use crate::oscillator::OscillatorFile;
+use crate::runner::{Outcome, Plan, Running};
 use crate::template::rendered;
-use crate::terminal;
 
 /// The folder of the results, with a folder in it for each file.
 const RESULTS: &str = "exported";
@@ -56,42 +55,59 @@ struct Script<'a> {
     range: String,
 }
 
-/// Looks for the solution and writes the problem.
+/// Reads the oscillator, of which a solution is written as a problem.
 ///
 /// # Errors
-/// Bad input, no solution at the place, or the files cannot be written.
-pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
-    let file = &arguments.file;
-    let limits = grazing_description::Limits::USUAL;
-    let of = OscillatorFile::read(file, &settings(&arguments.changes.set), limits)?;
-    with_one_wall(file, &of.description, "export", AS_ONE_WALL)?;
-    let description = with_loops(of.description, arguments.changes.loops.as_deref())?;
+/// Bad input.
+pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
+    let Export { file, at, changes, output } = arguments;
+    let of = OscillatorFile::read(file, &changes.set, Limits::USUAL)?;
+    let of = of.of_one_wall("export", changes.loops.as_deref())?;
     // AUTO reads the name in quotes, and the system as that of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
     let name: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
-    let output = arguments.output.clone().unwrap_or_else(|| Path::new(RESULTS).join(&name));
+    let folder = output.clone().unwrap_or_else(|| Path::new(RESULTS).join(&name));
     let names = [format!("{name}.f90"), format!("{name}.dat"), format!("c.{name}"), format!("{name}.auto")];
     let paths = names.map(PathBuf::from);
-    folder::ensure_writable(&output, &paths)?;
-    limits::listen();
-    let watch = Watch::begin(limits, of.taken);
-    let (solution, flight) = match solution(&description, arguments.at, &watch) {
-        Err(_) if watch.end_cause().is_some() => {
-            return Err(ended(file, watch.end_cause(), "nothing was written"));
-        }
-        found => found?,
+    let places = paths.clone();
+    let limits = (Limits::USUAL, of.taken);
+    let compute = move |running: &Running<'_>| match solution(&of.description, *at, &running.stop()) {
+        Ok((solution, flight)) => Ok((of.description, solution, flight)),
+        Err(failure) => Err(running.failure(file, "nothing was written", || failure)),
     };
+    let say = move |(description, solution, flight): (Description, Solution, String), folder: &Path| {
+        let [velocity, phase] = impact_of(&solution);
+        let contents = problem(&description, &name, *at, &solution, flight);
+        let file = |(path, content): (PathBuf, String)| OutputFile { path, content: content.into_bytes() };
+        let files = paths.into_iter().zip(contents).map(file).collect();
+        let stability = Stability::of(solution.multipliers).name();
+        let remark = format!(
+            "p = {}, {stability}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
+            solution.loops,
+            folder.display()
+        );
+        Ok(Outcome { remark, ..Outcome::unlisted(files, folder)? })
+    };
+    Ok(Plan::new(compute, say).within(file, limits).writing(folder, places))
+}
+
+/// Equations, flight, constants and script of the problem with this name.
+fn problem(
+    description: &Description,
+    name: &str,
+    [mu, eta]: [f64; 2],
+    solution: &Solution,
+    flight: String,
+) -> [String; 4] {
     let axes = [description.primary(), description.secondary()];
-    let axis_names = axes.map(|axis| axis.name());
     let [[lower, upper], secondary] = axes.map(|axis| axis.range());
     let formula = |(formula, name): (&grazing_description::Expression, &str)| formula.fortran(name);
     let [force, frequency, restitution, duration] = description.formulas();
-    let [mu, eta] = arguments.at;
-    let [velocity, phase] = impact_of(&solution);
+    let [velocity, phase] = impact_of(solution);
     let equations = Equations {
         title: description.name(),
         loops: solution.loops,
-        names: axis_names,
+        names: axes.map(|axis| axis.name()),
         functions: [
             (force, "grazing_force"),
             (frequency, "grazing_frequency"),
@@ -102,24 +118,9 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
         start: [mu, eta, phase, velocity].map(|value| format!("{value:e}").replace('e', "d")),
     };
     let step = 1e-2 * (upper - lower);
-    let constants =
-        Constants { name: &name, range: [lower, upper], step, least: 1e-5 * step, most: 5.0 * step };
-    let contents = [
-        rendered(&equations),
-        flight,
-        rendered(&constants),
-        rendered(&Script { name: &name, range: format!("{secondary:?}") }),
-    ];
-    let file = |(path, content): (PathBuf, String)| OutputFile { path, content: content.into_bytes() };
-    let files: Vec<OutputFile> = paths.into_iter().zip(contents).map(file).collect();
-    terminal::say(&folder::summary(&folder::written(&output, &files)?));
-    let stability = Stability::of(solution.multipliers).name();
-    terminal::say(&format!(
-        "p = {}, {stability}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
-        solution.loops,
-        output.display()
-    ));
-    Ok(())
+    let constants = Constants { name, range: [lower, upper], step, least: 1e-5 * step, most: 5.0 * step };
+    let script = Script { name, range: format!("{secondary:?}") };
+    [rendered(&equations), flight, rendered(&constants), rendered(&script)]
 }
 
 /// Velocity and phase of the only impact of a solution.
@@ -129,10 +130,10 @@ fn impact_of(solution: &Solution) -> [f64; 2] {
 
 /// An admissible solution with one impact at a place, if possible a stable one, in the units of the file;
 /// and its flight as lines `s u v t`.
-fn solution(description: &Description, at: [f64; 2], watch: &Watch) -> Result<(Solution, String), Failure> {
+fn solution(description: &Description, at: [f64; 2], stop: &Stop) -> Result<(Solution, String), Failure> {
     let units = description.units();
     let [mu, eta] = at;
-    let Prepared { oscillator, scope, .. } = Prepared::new(description, axes(description), &watch.stop());
+    let Prepared { oscillator, scope, .. } = Prepared::new(description, axes(description), stop);
     let oscillator = oscillator.with_parameters(units.without_dimensions([mu, eta]));
     let starts = Starts { states: 0, ..Starts::default() };
     let found = Place::compute(&oscillator, &scope, &starts, &Silent);

@@ -5,6 +5,7 @@ use std::fmt::{self, Display};
 use std::path::Path;
 
 use grazing_description::DescriptionError;
+use grazing_measured::MeasurementError;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_source::SettingError;
@@ -100,17 +101,18 @@ impl From<ParameterError> for Failure {
     }
 }
 
-impl From<DescriptionError> for Failure {
-    fn from(error: DescriptionError) -> Self {
-        Self::input(error.to_string())
-    }
+/// Errors that are bad input, whatever it is.
+macro_rules! input {
+    ($($error:ty),+) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::input(error.to_string())
+            }
+        }
+    )+};
 }
 
-impl From<SettingError> for Failure {
-    fn from(error: SettingError) -> Self {
-        Self::input(error.to_string())
-    }
-}
+input!(DescriptionError, MeasurementError, SettingError);
 
 /// The failure of a computation, with the error and any causes that its message does not contain; a
 /// wrong section of the parameter file has a failure of its own.

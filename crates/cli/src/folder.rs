@@ -1,5 +1,6 @@
 //! The output folder: writing files whole, and reporting how it differs from what the code produces.
 
+mod batch;
 mod difference;
 mod manifest;
 mod place;
@@ -12,14 +13,13 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+pub(crate) use batch::{Batch, Listed};
 pub use difference::Differences;
-pub(crate) use manifest::{
-    MANIFEST, list, place_of_run, place_to_write, refuse_mixture, write_part, write_run,
-};
+pub(crate) use manifest::{MANIFEST, list, refuse_mixture};
 pub use place::name_for;
 pub(crate) use place::to_write;
 pub use temporaries::remove_own_temporaries;
-pub(crate) use temporaries::{Changes, sweep};
+pub(crate) use temporaries::{TemporaryFolder, sweep};
 
 use crate::failure::Failure;
 use tempfile::NamedTempFile;
@@ -52,7 +52,7 @@ pub enum Change {
     Removed,
 }
 
-/// Checks that files can be written into the folder and its subfolder for data, and that those that are there
+/// Checks that files can be written into the folder and its subfolders, and that those that are there
 /// can be read, which decides whether they change; leaves no trace of the test.
 ///
 /// A folder that does not exist is not created: the nearest one above it that exists is tested.
@@ -61,7 +61,8 @@ pub enum Change {
 /// # Errors
 /// The folder is not writable, or something other than a regular file is in a file's place.
 pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> {
-    for place in [folder.to_owned(), folder.join(DATA)] {
+    let within = files.iter().filter_map(|file| Some(folder.join(file).parent()?.to_owned()));
+    for place in within.chain([folder.to_owned()]).collect::<BTreeSet<_>>() {
         if let Some((path, reason)) = obstacle(&place) {
             let path = path.display();
             let remedy = "choose a folder for the outputs with --output DIR";
@@ -192,10 +193,11 @@ pub(crate) fn summary(changes: &[(String, Change)]) -> String {
     text
 }
 
-/// The first figure or page among the files, or else the first file: what a user looks at next.
+/// The page among the files, or else the first figure, or else the first file: what a user looks at next.
 pub(crate) fn first(changes: &[(String, Change)]) -> &str {
-    let is_shown = |path: &str| [".html", ".svg", ".pdf", ".png"].iter().any(|end| path.ends_with(end));
-    let shown = changes.iter().find(|(path, change)| *change != Change::Removed && is_shown(path));
+    let written = || changes.iter().filter(|(_, change)| *change != Change::Removed);
+    let with = |ends: &[&str]| written().find(|(path, _)| ends.iter().any(|end| path.ends_with(end)));
+    let shown = with(&[".html"]).or_else(|| with(&[".svg", ".pdf", ".png"]));
     shown.or(changes.first()).map_or("", |(path, _)| path)
 }
 

@@ -1,24 +1,21 @@
 //! `grazing identify`: constants of an oscillator from measurements.
 
-use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::path::Path;
 
 use grazing_analysis::unfolded::{axes, prepared};
 use grazing_description::{Description, Limits};
 use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
-use grazing_model::smooth::{SmoothOscillator, Stop};
+use grazing_model::smooth::SmoothOscillator;
 use grazing_results::measured::Identified;
 use grazing_results::{Names, Tables, brief};
-use grazing_source::{nearest, suggestion};
 
-use crate::arguments;
+use crate::arguments::Identify;
 use crate::commands::CommandLine;
 use crate::failure::Failure;
-use crate::folder::{self, summary};
+use crate::folder::{self, Batch};
 use crate::layout::Layout;
-use crate::limits::{self, Watch, ended};
-use crate::oscillator::{AS_ONE_WALL, OscillatorFile, parameter_names, settings, with_loops, with_one_wall};
-use crate::progress::Display;
+use crate::oscillator::{OscillatorFile, constants, parameter_names};
+use crate::runner::{Next, Outcome, Plan, Running};
 use crate::unfold::numbers::{heads, with_error};
 use crate::{data_page, tables, terminal};
 
@@ -27,120 +24,97 @@ const RESULTS: &str = "identified";
 /// The output, in messages.
 const OUTPUT: &str = "identify";
 
-/// Identifies constants and writes them, with the residual of each measured number.
+/// Reads an oscillator with measurements, from which constants are to be identified.
 ///
 /// # Errors
-/// Bad input, before anything is computed; nothing was identified.
-pub(crate) fn run(arguments: &arguments::Identify) -> Result<(), Failure> {
-    let began = Instant::now();
-    let arguments::Identify { file, data, record, free, .. } = arguments;
-    let mut of =
-        OscillatorFile::read(file, &settings(&arguments.changes.set), arguments.limits.over(Limits::USUAL))?;
-    with_one_wall(file, &of.description, "identify", AS_ONE_WALL)?;
-    of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
+/// Bad input.
+pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
+    let Identify { file, data, record, free, changes, limits, .. } = arguments;
+    let of = OscillatorFile::read(file, &changes.set, limits.over(Limits::USUAL))?;
+    let of = of.of_one_wall("identify", changes.loops.as_deref())?;
     let names = parameter_names(&of.description);
     let renamed = arguments.named.of(data.as_deref().or(record.as_deref()))?;
     if !renamed.is_empty() && data.is_some() && record.is_some() {
         return Err(Failure::input("--column names columns of one CSV: give --data or --record, not both"));
     }
-    let read_file = |path: &PathBuf| {
-        read::points(path, names, renamed).map_err(|error| Failure::input(error.to_string()))
-    };
-    let points = data.as_ref().map(read_file).transpose()?.unwrap_or_default();
-    let read_record = |path: &PathBuf| {
-        read::record(path, names, renamed).map_err(|error| Failure::input(error.to_string()))
-    };
-    let record = record.as_ref().map(read_record).transpose()?.unwrap_or_default();
-    for series in &record {
-        let Some(impact) = series.gaining() else { continue };
-        let ([mu, eta], [time, speed, _]) = (series.at, impact.values);
-        let phase = of.description.forcing_frequency(mu, eta) * time;
-        if of.description.restitution(speed, phase, mu, eta) <= 1.0 {
-            let remedy = "are velocity_before and velocity_after exchanged? If impacts drive the rig, start from a restitution above 1";
-            return Err(Failure::input(format!(
-                "{}:{}: speeds after the impacts of this series exceed those before: {remedy}",
-                arguments.record.as_deref().unwrap_or(file).display(),
-                impact.line
-            )));
-        }
-    }
-    let start = starts(free, &of.description)?;
-    let measured = Measurements { points, record };
-    let bifurcations =
-        measured.points.iter().filter(|point| matches!(point.seen, Seen::Bifurcation { .. })).count();
-    if bifurcations == 0 && measured.record.is_empty() {
+    let points = data.as_ref().map(|path| read::points(path, names, renamed)).transpose()?;
+    let impacts = record.as_ref().map(|path| read::record(path, names, renamed)).transpose()?;
+    let measured = Measurements { points: points.unwrap_or_default(), record: impacts.unwrap_or_default() };
+    refuse_gains(record.as_deref().unwrap_or(file), &of.description, &measured)?;
+    let start = constants("--free", free.iter().map(String::as_str), &of.description)?;
+    let unused = unused(&measured);
+    if unused == measured.points.len() && measured.record.is_empty() {
         let remedy = "measurements without a bifurcation do not constrain the constants: measure where the motion changes (seen = graz, SN, PD, ...), or give a --record of impacts";
         return Err(Failure::input(format!(
             "{}: no bifurcation among the measurements: {remedy}",
             file.display()
         )));
     }
-    let folder = match &arguments.output {
-        Some(folder) => folder.clone(),
-        None => Path::new(RESULTS).join(folder::name_for(file)),
-    };
-    let mut paths: Vec<PathBuf> = Identified::TABLES.iter().map(|table| tables::path(table.name)).collect();
-    paths.extend([data_page::path(), PathBuf::from(folder::MANIFEST)]);
-    folder::ensure_writable(&folder, &paths)?;
-    arguments.threads.start()?;
-    limits::listen();
-    let watch = Watch::begin(arguments.limits.over(of.description.limits()), of.taken);
-    let found = identified(&of.description, (free, &start), &measured, &watch.stop());
-    let (fit, identified) = found.map_err(|reason| match watch.end_cause() {
-        Some(cause) => ended(file, Some(cause), "nothing is written"),
-        None => Failure::incomplete(format!("{}: {reason}", file.display())),
-    })?;
+    let usual = || Path::new(RESULTS).join(folder::name_for(file));
+    let folder = arguments.output.clone().unwrap_or_else(usual);
+    let limits = (limits.over(of.description.limits()), of.taken);
     let names = axes(&of.description).names;
-    let mut files = Vec::new();
-    for table in identified.tables(&names) {
-        files.push(tables::file(&table, OUTPUT)?);
-    }
-    files.push(data_page::of_an_oscillator(Identified::TABLES.iter().copied(), &names));
-    let written = folder::write_run(&folder, &files, false)?;
-    let unused = measured.points.len() - bifurcations;
-    terminal::say(&listing(terminal::layout(), &names, &fit, &identified, unused));
-    terminal::say(&format!("\n{}{:.1} s\n", summary(&written), began.elapsed().as_secs_f64()));
-    if fit.is_refuted() {
-        return Err(Failure::check(format!(
+    let compute = move |running: &Running<'_>| {
+        identified(&of.description, (free, &start), &measured, running).map_err(|reason| {
+            let otherwise = || Failure::incomplete(format!("{}: {reason}", file.display()));
+            running.failure(file, "nothing is written", otherwise)
+        })
+    };
+    let say = move |(fit, identified): (Fit, Identified), folder: &Path| {
+        let files = identified.tables(&names).into_iter().map(|table| tables::file(&table, OUTPUT));
+        let about = data_page::of_an_oscillator(Identified::TABLES.iter().copied(), &names);
+        let files = files.chain([Ok(about)]).collect::<Result<_, _>>()?;
+        let failure = fit.is_refuted().then(|| Failure::check(format!(
             "{}: the oscillator does not fit the measurements: chi^2 = {} for {} degrees of freedom; everything is written",
             file.display(),
             brief(fit.chi_squared, DIGITS + 1),
             fit.freedom
         )));
-    }
-    let set = identified.constants.iter();
-    let set = set.map(|row| ("--set", format!("{}={}", row.constant, brief(row.value, VALUE))));
-    terminal::say_next(&CommandLine::own("unfold").with(file.display()).options(set));
-    Ok(())
+        let set = identified.constants.iter();
+        let set = set.map(|row| ("--set", format!("{}={}", row.constant, brief(row.value, VALUE))));
+        let next = CommandLine::own("unfold").with(file.display()).options(set);
+        Ok(Outcome {
+            text: listing(terminal::layout(), &names, &fit, &identified, unused),
+            batches: vec![Batch::run(folder, files)],
+            next: if failure.is_none() { next.into() } else { Next::Nothing },
+            failure,
+            ..Outcome::default()
+        })
+    };
+    let paths = Identified::TABLES.iter().map(|table| tables::path(table.name));
+    Ok(Plan::new(compute, say).within(file, limits).writing_run(folder, paths))
 }
 
-/// The values of the constants that are free, as the file has them.
-fn starts(free: &[String], description: &Description) -> Result<Vec<f64>, Failure> {
-    let known: Vec<(&str, f64)> = description.constants().collect();
-    let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
-    let mut values = Vec::new();
-    for (place, name) in free.iter().enumerate() {
-        let Some((_, value)) = known.iter().find(|(known, _)| known == name) else {
-            let near = suggestion(nearest(name, &names));
-            let list = names.join(", ");
+/// The number of measurements without a bifurcation.
+fn unused(measured: &Measurements) -> usize {
+    measured.points.iter().filter(|point| !matches!(point.seen, Seen::Bifurcation { .. })).count()
+}
+
+/// Refuses a record in which impacts speed the motion up, unless the restitution in the file does so.
+fn refuse_gains(file: &Path, description: &Description, measured: &Measurements) -> Result<(), Failure> {
+    for series in &measured.record {
+        let Some(impact) = series.gaining() else { continue };
+        let ([mu, eta], [time, speed, _]) = (series.at, impact.values);
+        let phase = description.forcing_frequency(mu, eta) * time;
+        if description.restitution(speed, phase, mu, eta) <= 1.0 {
+            let remedy = "are velocity_before and velocity_after exchanged? If impacts drive the rig, start from a restitution above 1";
             return Err(Failure::input(format!(
-                "--free {name}: no constant in [parameters] has this name{near} Known: {list}"
+                "{}:{}: speeds after the impacts of this series exceed those before: {remedy}",
+                file.display(),
+                impact.line
             )));
-        };
-        if free[..place].contains(name) {
-            return Err(Failure::input(format!("--free {name}: named twice: name every constant once")));
         }
-        values.push(*value);
     }
-    Ok(values)
+    Ok(())
 }
 
 fn identified(
     description: &Description,
     (names, start): (&[String], &[f64]),
     measured: &Measurements,
-    stop: &Stop,
+    running: &Running<'_>,
 ) -> Result<(Fit, Identified), String> {
+    let stop = &running.stop();
     let units = axes(description).units;
     let (_, scope) = prepared(description, &units, stop);
     let at = [scope.window.primary[0], scope.window.secondary[0]];
@@ -152,8 +126,7 @@ fn identified(
         Some(own.counted(at, &units, stop))
     };
     let task = Task { rig: &rig, names, start, scope: &scope, units };
-    let display = Display::counting(stop.clone());
-    identify(&task, measured, &display).map_err(|error| error.to_string())
+    identify(&task, measured, &**running.progress()).map_err(|error| error.to_string())
 }
 
 /// Digits of residuals, and of values beside their errors.

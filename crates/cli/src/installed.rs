@@ -8,7 +8,8 @@ use clap_mangen::Man;
 use crate::arguments::{Completions, Manual, command_line};
 use crate::commands::INSTALLED;
 use crate::failure::Failure;
-use crate::folder::{self, OutputFile};
+use crate::folder::OutputFile;
+use crate::runner::{Outcome, Plan};
 use crate::terminal;
 
 /// Prints the script with which a shell completes commands and options.
@@ -18,21 +19,18 @@ pub(crate) fn completions(arguments: &Completions) {
     terminal::say_coloured(&String::from_utf8_lossy(&script));
 }
 
-/// Writes the manual pages, `grazing.1` and `grazing-COMMAND.1`.
+/// Renders the manual pages, `grazing.1` and `grazing-COMMAND.1`.
 ///
 /// # Errors
-/// The folder cannot be written.
-pub(crate) fn manual(arguments: &Manual) -> Result<(), Failure> {
+/// A page cannot be rendered.
+pub(crate) fn manual(arguments: &Manual) -> Result<Plan<'_>, Failure> {
     let mut program = command_line(INSTALLED);
     program.build();
     let pages =
         std::iter::once(&program).chain(program.get_subcommands().filter(|it| it.get_name() != "help"));
     let files = pages.map(page).collect::<Result<Vec<OutputFile>, Failure>>()?;
     let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
-    folder::ensure_writable(&arguments.folder, &paths)?;
-    folder::write(&arguments.folder, &files)?;
-    terminal::say(&format!("{} pages written to {}\n", files.len(), arguments.folder.display()));
-    Ok(())
+    Ok(Plan::new(|_| Ok(files), Outcome::unlisted).writing(arguments.folder.clone(), paths))
 }
 
 /// The manual page of a command.

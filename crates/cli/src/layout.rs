@@ -191,36 +191,26 @@ fn joins(word: &str) -> bool {
 
 /// Words, and formulas as one word each: a line may end between them.
 fn units(content: &str) -> Vec<String> {
-    let mut units: Vec<String> = Vec::new();
-    let mut goes_on = false;
-    for word in content.split([' ', '\t', '\n', '\r']).filter(|word| !word.is_empty()) {
-        match units.last_mut() {
-            Some(last) if goes_on || joins(word) => {
-                last.push(' ');
-                last.push_str(word);
-            }
-            _ => units.push(word.to_owned()),
-        }
-        goes_on = joins(word);
-    }
-    units
+    let words = content.split([' ', '\t', '\n', '\r']).filter(|word| !word.is_empty());
+    grouped(words, joins)
 }
 
 /// The parts of a formula, each after the first with the sign before it.
 fn pieces(unit: &str) -> Vec<String> {
-    let mut pieces: Vec<String> = Vec::new();
-    let mut goes_on = false;
-    for word in unit.split([' ', '\u{a0}']) {
-        match pieces.last_mut() {
-            Some(last) if goes_on => {
-                last.push(' ');
-                last.push_str(word);
-            }
-            _ => pieces.push(word.to_owned()),
+    grouped(unit.split([' ', '\u{a0}']), |_| false)
+}
+
+/// Words, joined where a sign goes before, or where a word `belongs` to the one before it.
+fn grouped<'w>(words: impl Iterator<Item = &'w str>, belongs: fn(&str) -> bool) -> Vec<String> {
+    let (mut groups, mut goes_on) = (Vec::<String>::new(), false);
+    for word in words {
+        match groups.last_mut() {
+            Some(last) if goes_on || belongs(word) => last.extend([" ", word]),
+            _ => groups.push(word.to_owned()),
         }
         goes_on = joins(word);
     }
-    pieces
+    groups
 }
 
 /// The number of columns that a text takes.

@@ -33,6 +33,7 @@ mod project;
 mod readme;
 mod report;
 pub mod reproduce;
+mod runner;
 mod signals;
 mod system;
 pub mod tables;
@@ -53,24 +54,29 @@ use failure::Failure;
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     signals::soften_limits();
     match &arguments.command {
-        Command::Reproduce(arguments) => reproduce::run(arguments),
-        Command::Compare(arguments) => compare::run(arguments),
-        Command::Claims(arguments) => claims::run(arguments),
-        Command::Certify(arguments) => certify::run(arguments),
-        Command::Report(arguments) => report::run(arguments),
-        Command::Unfold(arguments) if !arguments.vary.is_empty() => family::run(arguments),
-        Command::Unfold(arguments) => unfold::run(arguments),
-        Command::Attractors(arguments) => attractors::run(arguments),
+        Command::Reproduce(arguments) => runner::run(|| reproduce::read(arguments), arguments.threads.jobs),
+        Command::Compare(arguments) => runner::run(|| compare::read(arguments), arguments.threads.jobs),
+        Command::Claims(arguments) => runner::run(|| claims::read(arguments), None),
+        Command::Certify(arguments) => runner::run(|| certify::read(arguments), arguments.threads.jobs),
+        Command::Report(arguments) => runner::run(|| report::read(arguments), arguments.threads.jobs),
+        Command::Unfold(arguments) if !arguments.vary.is_empty() => {
+            runner::run(|| family::read(arguments), arguments.threads.jobs)
+        }
+        Command::Unfold(arguments) => runner::run_each(|| unfold::read(arguments), arguments.threads.jobs),
+        Command::Attractors(arguments) => runner::run(|| attractors::read(arguments), arguments.threads.jobs),
         Command::Explore(arguments) => explore::run(arguments),
-        Command::Identify(arguments) => identify::run(arguments),
-        Command::Merge(arguments) => family::merge(arguments),
+        Command::Identify(arguments) => runner::run(|| identify::read(arguments), arguments.threads.jobs),
+        Command::Merge(arguments) if attractors::has_part(arguments) => {
+            runner::run(|| attractors::merge(arguments), None)
+        }
+        Command::Merge(arguments) => runner::run(|| family::merge(arguments), None),
+        Command::Export(arguments) => runner::run(|| exported::read(arguments), None),
         Command::New(arguments) => new::run(arguments),
-        Command::Export(arguments) => exported::run(arguments),
         Command::Archive(arguments) => archive::run(arguments),
         Command::Completions(arguments) => {
             installed::completions(arguments);
             Ok(())
         }
-        Command::Manual(arguments) => installed::manual(arguments),
+        Command::Manual(arguments) => runner::run(|| installed::manual(arguments), None),
     }
 }

@@ -3,12 +3,12 @@
 //!
 //! Each function computes the results of a command, with the code of the command.
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use grazing_analysis::family::records;
-use grazing_analysis::nothing::Nothing;
 use grazing_analysis::place::simulated;
+use grazing_analysis::unfolded::Prepared;
 use grazing_description::{Description, Limits};
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Figure, Model, Seen, View, Wanted};
@@ -18,20 +18,19 @@ use grazing_reproduction::parameters::Parameters;
 use grazing_results::place::briefly;
 use grazing_results::{Names, Table, Tables};
 use grazing_source::{Setting, Text, nearest, suggestion};
-use grazing_unfold::progress::Progress;
 
 use crate::explore::drawn;
 use crate::failure::Failure;
-use crate::family::{self, Origin};
+use crate::family::{Family, Origin};
 use crate::layout::Layout;
-use crate::limits::{Watch, ended, reading};
+use crate::limits::{ended, reading};
 use crate::oscillator::OscillatorFile;
 use crate::outputs::family::FAMILY;
-use crate::outputs::oscillator::AnalysedOscillator;
 use crate::outputs::{ComputedOutput, paper};
 use crate::project::{PARAMETERS, PARAMETERS_TEXT};
-use crate::unfold::analysis::analyse_prepared;
-use crate::unfold::{listing, page, places};
+pub use crate::runner::Report;
+use crate::runner::Running;
+use crate::unfold::{self, listing, page, places};
 use crate::variation::Variation;
 
 /// The results of a computation.
@@ -47,9 +46,6 @@ pub struct Results {
     /// The figures as SVG, each under its name.
     pub figures: Vec<(String, String)>,
 }
-
-/// Receives the mark that cancels the computation that begins, and returns the receiver of its progress.
-pub type Report<'a> = &'a dyn Fn(Stop) -> Box<dyn Progress + Send>;
 
 /// An oscillator, its file's name in messages, and the receiver of progress.
 pub struct Task<'a> {
@@ -87,10 +83,16 @@ impl Task<'_> {
         Ok(OscillatorFile { file: PathBuf::from(self.file), text, description, taken })
     }
 
-    fn begin(&self, of: &OscillatorFile) -> (Watch, Box<dyn Progress + Send>) {
-        let watch = Watch::begin(of.description.limits(), of.taken);
-        let progress = (self.report)(watch.stop());
-        (watch, progress)
+    fn running(&self, of: &OscillatorFile) -> Running<'_> {
+        Running::begin(Some((of.description.limits(), of.taken)), self.report)
+    }
+
+    fn refused(&self, reason: impl Display) -> Failure {
+        Failure::input(format!("{}: {reason}", self.file))
+    }
+
+    fn prepared(&self, of: &OscillatorFile, stop: &Stop) -> Result<Prepared, Failure> {
+        self.model.ready(&of.description, stop).map_err(|error| self.refused(error))
     }
 
     /// The oscillator, and the listing that precedes all results.
@@ -99,8 +101,7 @@ impl Task<'_> {
     /// Something in its file is wrong.
     pub fn checked(&self) -> Result<(Description, String), Failure> {
         let of = self.read(None)?;
-        let ready = self.model.ready(&of.description, &Stop::default());
-        ready.map_err(|error| Failure::input(format!("{}: {error}", self.file)))?;
+        self.prepared(&of, &Stop::default())?;
         let listing = listing::oscillator(Layout::default(), &of.description, &of.file);
         Ok((of.description, listing))
     }
@@ -111,22 +112,20 @@ impl Task<'_> {
     /// There is nothing to unfold.
     pub fn diagram(&self, view: Option<&View>) -> Result<Results, Failure> {
         let of = self.read(view)?;
-        let (watch, progress) = self.begin(&of);
-        let prepared = self.model.ready(&of.description, &watch.stop());
-        let prepared = prepared.map_err(|error| Failure::input(format!("{}: {error}", self.file)))?;
-        let (unfolded, met) = analyse_prepared(&of, prepared, &watch, &*progress, &|_| ())?;
-        let analysed = AnalysedOscillator::new(&of.file, &of.description, unfolded);
-        let (description, unfolded) = (&of.description, &analysed.unfolded);
+        let head = listing::oscillator(Layout::default(), &of.description, &of.file);
+        let running = self.running(&of);
+        let task = unfold::Task { of, measured: None, at: Vec::new() };
+        let found = unfold::unfold(task, &|of, stop| self.prepared(of, stop), &running, &|_| ())?;
+        let (analysed, description) = (&found.analysed, &found.analysed.oscillator.description);
+        let unfolded = &analysed.unfolded;
         let contradictions = listing::contradictions(&unfolded.resonances).into_iter();
         let contradictions =
             contradictions.map(|what| format!("theorem and computation contradict each other: {what}"));
         let lost =
             page::lost(description, unfolded).into_iter().chain(listing::incomplete(&unfolded.diagram));
-        let layout = Layout::default();
         Ok(Results {
-            listing: listing::oscillator(layout, description, &of.file)
-                + &listing::results(layout, description, unfolded),
-            missing: contradictions.chain(met.map(|met| met.to_string())).chain(lost).collect(),
+            listing: head + &found.listing(Layout::default()),
+            missing: contradictions.chain(found.met.map(|met| met.to_string())).chain(lost).collect(),
             ..Results::new(analysed.computed(SheetWidth::Paper)?, &unfolded.axes.names)
         })
     }
@@ -137,12 +136,10 @@ impl Task<'_> {
     /// There is nothing to be seen.
     pub fn seen(&self, wanted: &Wanted) -> Result<Results, Failure> {
         let of = self.read(None)?;
-        let (watch, progress) = self.begin(&of);
-        let seen = Seen::of(self.model, None, wanted, &*progress, &watch.stop());
-        let seen = seen.map_err(|reason| match watch.end_cause() {
-            Some(cause) => ended(&of.file, Some(cause), "nothing is shown"),
-            None => Failure::input(format!("{}: {reason}", self.file)),
-        })?;
+        let running = self.running(&of);
+        let seen = Seen::of(self.model, None, wanted, &**running.progress(), &running.stop());
+        let seen =
+            seen.map_err(|reason| running.failure(&of.file, "nothing is shown", || self.refused(reason)))?;
         let (listing, missing) = match &seen.figure {
             Figure::OneParameter(found) => {
                 let broken = found.broken.iter().map(|(numbers, across, reason)| {
@@ -169,12 +166,10 @@ impl Task<'_> {
     /// There is no such motion.
     pub fn simulated(&self, at: [f64; 2], start: [f64; 3], periods: f64) -> Result<Results, Failure> {
         let of = self.read(None)?;
-        let (watch, _) = self.begin(&of);
-        let refused = |reason: String| Failure::input(format!("{}: {reason}", self.file));
-        let ready = self.model.ready(&of.description, &watch.stop());
-        let ready = ready.map_err(|error| refused(error.to_string()))?;
-        let found = simulated(&ready, at, start, periods).map_err(refused)?;
-        if let Some(cause) = watch.end_cause() {
+        let running = self.running(&of);
+        let ready = self.prepared(&of, &running.stop())?;
+        let found = simulated(&ready, at, start, periods).map_err(|reason| self.refused(reason))?;
+        if let Some(cause) = running.end_cause() {
             return Err(ended(&of.file, Some(cause), "nothing is shown"));
         }
         let names = &ready.axes.names;
@@ -193,27 +188,24 @@ impl Task<'_> {
         let file = Path::new(self.file);
         let read = |stop: &Stop| {
             (self.report)(stop.clone());
-            family::read(&origin, vary, None, stop)
+            Family::read(&origin, vary, None, stop)
         };
-        let ((description, plan, members), taken) = reading(file, Limits::USUAL, read)?;
-        let watch = Watch::begin(family::limits(&description, members.len()), taken);
-        let progress = (self.report)(watch.stop());
-        let tell = |description: &_, error: &_| Nothing::new(error, description).to_string();
-        let found = records(&plan, &members, &tell, &watch.stop(), &*progress);
-        let missing = found.iter().filter(|record| record.is_none()).count();
-        if missing == plan.count() {
-            return Err(ended(file, watch.end_cause(), "no member is finished"));
+        let (family, taken) = reading(file, Limits::USUAL, read)?;
+        let running = Running::begin(Some((family.limits(), taken)), self.report);
+        let found = family.records(&running);
+        let (missing, all) = (found.iter().filter(|record| record.is_none()).count(), found.len());
+        if missing == all {
+            return Err(ended(file, running.end_cause(), "no member is finished"));
         }
-        let of = family::named(file, &plan, &description, found);
-        let mut results = Results::new(FAMILY.compute(&of, SheetWidth::Paper)?, &of.names);
-        results.listing = family::listed(Layout::default(), &of, &plan);
+        let (of, listing) = family.named(Layout::default(), file, found);
+        let results = Results::new(FAMILY.compute(&of, SheetWidth::Paper)?, &of.names);
         let lacking = of.family.incomplete;
         let lines = [
-            (missing > 0).then(|| format!("{missing} of {} members are missing", plan.count())),
+            (missing > 0).then(|| format!("{missing} of {all} members are missing")),
             (lacking > 0).then(|| format!("something is missing at {lacking} members")),
         ];
-        results.missing.extend(lines.into_iter().flatten());
-        Ok(results)
+        let missing = results.missing.iter().cloned().chain(lines.into_iter().flatten()).collect();
+        Ok(Results { listing, missing, ..results })
     }
 }
 

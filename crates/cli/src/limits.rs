@@ -10,7 +10,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::Duration;
@@ -67,9 +67,16 @@ impl std::fmt::Display for EndCause {
     }
 }
 
-/// Makes the first Ctrl-C end analyses with what they have, and the second one the program.
+/// Whether Ctrl-C makes computations end with what they have.
+static FINISHES: AtomicBool = AtomicBool::new(false);
+
+/// Makes Ctrl-C end the program without leaving unfinished files behind; or, once [`finish_when_interrupted`] says so, the first
+/// one the computation and the second one the program.
 pub(crate) fn listen() {
     signals::handle(|| {
+        if !FINISHES.load(Ordering::Relaxed) {
+            leave("error: interrupted: nothing more is written");
+        }
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
             leave("error: interrupted twice: cancelled at once; nothing more is written");
         }
@@ -79,19 +86,17 @@ pub(crate) fn listen() {
     });
 }
 
+/// Makes the first Ctrl-C end computations with what they have, or not.
+pub(crate) fn finish_when_interrupted(finishes: bool) {
+    FINISHES.store(finishes, Ordering::Relaxed);
+}
+
 /// Makes Ctrl-C visible to [`is_interrupted`], and a second one end the program.
 pub(crate) fn end_when_interrupted() {
     signals::handle(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
             leave("interrupted twice");
         }
-    });
-}
-
-/// Makes Ctrl-C end the program at once, without leaving unfinished files behind.
-pub(crate) fn leave_nothing_behind() {
-    signals::handle(|| {
-        leave("error: interrupted: nothing more is written");
     });
 }
 
@@ -205,18 +210,18 @@ pub(crate) fn reading<T>(
 }
 
 /// Whether the process may hold so many megabytes more.
-pub(crate) fn has_room(limits: Limits, megabytes: f64) -> bool {
-    held().is_none_or(|held| held + megabytes <= limits.memory)
+pub(crate) fn has_room(limits: Option<Limits>, megabytes: f64) -> bool {
+    limits.is_none_or(|limits| held().is_none_or(|held| held + megabytes <= limits.memory))
 }
 
 /// The failure of a run without these pictures, for which there is no room.
-pub(crate) fn no_room(file: &Path, limits: Limits, pictures: &[PathBuf]) -> Failure {
+pub(crate) fn no_room(file: &Path, limits: Option<Limits>, pictures: &[PathBuf]) -> Failure {
     let names: Vec<String> = pictures.iter().map(|path| path.display().to_string()).collect();
     Failure::incomplete(format!(
         "{}: {} would take more than the memory limit of {} MB and {} not drawn (choose a lower --dpi, or raise it with memory_limit in [analysis] or --memory-limit); everything else is written",
         file.display(),
         names.join(", "),
-        limits.memory,
+        limits.map_or(f64::INFINITY, |limits| limits.memory),
         if names.len() == 1 { "is" } else { "are" },
     ))
 }

@@ -24,7 +24,7 @@ pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
     terminal::say(&format!(
         "{shown} is written. Its comments explain every key; it can be unfolded as it is.\n"
     ));
-    terminal::say_next_after("edit it, then ", &CommandLine::own("unfold").with(shown));
+    terminal::say_next("edit it, then ", &CommandLine::own("unfold").with(shown));
     Ok(())
 }
 

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_description::{Description, DescriptionError, Limits};
 use grazing_model::smooth::Stop;
-use grazing_source::{Setting, Text};
+use grazing_source::{Setting, Text, nearest, suggestion};
 
 use crate::failure::Failure;
 use crate::limits::reading;
@@ -30,10 +31,11 @@ pub(crate) fn with_one_wall(
 }
 
 /// What to do where motion at one of two walls is asked for.
-pub(crate) const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
+const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
      show motion between two walls";
 
 /// A file that describes an oscillator.
+#[derive(Clone)]
 pub(crate) struct OscillatorFile {
     pub(crate) file: PathBuf,
     /// The text of the file, with the settings over it as comments at the top.
@@ -48,13 +50,37 @@ impl OscillatorFile {
     ///
     /// # Errors
     /// The file cannot be read, something in it is wrong, or a limit was reached.
-    pub(crate) fn read(file: &Path, settings: &[Setting], limits: Limits) -> Result<Self, Failure> {
-        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
-        let (named, set) = (file.display().to_string(), Text::new(&text, settings));
+    pub(crate) fn read(file: &Path, set: &[Setting], limits: Limits) -> Result<Self, Failure> {
+        let (text, settings) = (read_text(file)?, settings(set));
+        let (named, set) = (file.display().to_string(), Text::new(&text, &settings));
         let read = |stop: &Stop| Ok(Description::parse_with(&set, &named, stop)?);
         let (description, taken) = reading(file, limits, read)?;
-        Ok(Self { file: file.to_owned(), text: noted(&text, settings), description, taken })
+        Ok(Self { file: file.to_owned(), text: noted(&text, &settings), description, taken })
     }
+
+    /// The oscillator with other numbers of loops, if there are any, unless it has two walls.
+    ///
+    /// # Errors
+    /// There are two walls, but the command is for one; or the numbers of loops are wrong.
+    pub(crate) fn of_one_wall(self, command: &str, loops: Option<&[u32]>) -> Result<Self, Failure> {
+        with_one_wall(&self.file, &self.description, command, AS_ONE_WALL)?;
+        self.looped(loops)
+    }
+
+    /// The oscillator with other numbers of loops, if there are any.
+    pub(crate) fn looped(self, loops: Option<&[u32]>) -> Result<Self, Failure> {
+        Ok(Self { description: with_loops(self.description, loops)?, ..self })
+    }
+
+    /// The oscillator, ready for an analysis that the mark cancels.
+    pub(crate) fn prepared(&self, stop: &Stop) -> Prepared {
+        Prepared::new(&self.description, axes(&self.description), stop)
+    }
+}
+
+/// The text of a file that describes an oscillator.
+pub(crate) fn read_text(file: &Path) -> Result<String, Failure> {
+    Ok(grazing_source::read_file(file).map_err(DescriptionError::from)?)
 }
 
 /// The text of a file with the settings over it as comments at the top.
@@ -66,6 +92,32 @@ pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
 /// The names of both parameters in the file.
 pub(crate) fn parameter_names(description: &Description) -> [&str; 2] {
     [description.primary().name(), description.secondary().name()]
+}
+
+/// The values of the constants that an option names, as the file has them.
+///
+/// # Errors
+/// There is no such constant, or one is named twice.
+pub(crate) fn constants<'n>(
+    option: &str,
+    names: impl IntoIterator<Item = &'n str>,
+    description: &Description,
+) -> Result<Vec<f64>, Failure> {
+    let (known, values): (Vec<&str>, Vec<f64>) = description.constants().unzip();
+    let mut found: Vec<usize> = Vec::new();
+    for name in names {
+        let Some(place) = known.iter().position(|known| *known == name) else {
+            let (near, list) = (suggestion(nearest(name, &known)), known.join(", "));
+            return Err(Failure::input(format!(
+                "{option} {name}: no constant in [parameters] has this name{near} Known: {list}"
+            )));
+        };
+        if found.contains(&place) {
+            return Err(Failure::input(format!("{option} {name}: named twice: name every constant once")));
+        }
+        found.push(place);
+    }
+    Ok(found.into_iter().map(|place| values[place]).collect())
 }
 
 /// The last part of a path, as text.

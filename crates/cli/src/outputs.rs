@@ -193,6 +193,18 @@ impl<Source> Output<Source> {
     }
 }
 
+/// The files beside figures and tables: those for a document in LaTeX, if the edition has it, and the page about the
+/// tables.
+pub(crate) fn accompanying<'c>(
+    edition: &Edition,
+    floats: &[Float],
+    constants: impl IntoIterator<Item = (&'c str, f64)>,
+    about: OutputFile,
+) -> impl Iterator<Item = OutputFile> {
+    let latex = edition.has(Format::Tex).then(|| latex::files(floats, constants));
+    latex.into_iter().flatten().chain([about])
+}
+
 /// The files of an edition, the floats for a document in LaTeX, and the pictures for which there is no room.
 pub(crate) type FilesWithin = (Vec<OutputFile>, Vec<Float>, Vec<PathBuf>);
 

@@ -14,7 +14,8 @@ use serde::{Deserialize, Serialize};
 use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
-use crate::terminal;
+use crate::limits::ended;
+use crate::runner::{Next, Outcome, Plan, Running};
 use crate::variation::Part;
 use crate::versions;
 
@@ -79,16 +80,34 @@ struct PartFile<W: Divided> {
 }
 
 /// The path of a part in the folder of the results.
-pub(crate) fn path(Part { part, parts }: Part) -> PathBuf {
+fn path(Part { part, parts }: Part) -> PathBuf {
     let digits = parts.to_string().len();
     Path::new(PARTS).join(format!("{part:0digits$}-of-{parts}.toml"))
 }
 
-/// Says what to do once a part is written into a folder.
-pub(crate) fn say_next(Part { parts, .. }: Part, folder: &Path) {
-    let first = if parts == 1 { String::new() } else { format!("once all {parts} parts are there, ") };
-    let merge = CommandLine::own("merge").with_files(folder.join(PARTS).display(), "*.toml");
-    terminal::say_next_after(&first, &merge);
+/// The plan of a part of some work: `compute` returns the record of each item, none if it was not finished.
+pub(crate) fn plan<'a, W: Divided + 'a>(
+    part: Part,
+    work: W,
+    folder: PathBuf,
+    file: &'a Path,
+    compute: impl FnOnce(&Running<'_>) -> Result<Vec<Option<W::Record>>, Failure> + 'a,
+) -> Plan<'a> {
+    let complete = move |running: &Running<'_>| {
+        let records = compute(running)?.into_iter().collect::<Option<_>>();
+        let outcome = "a part is written only if it is complete; nothing is written";
+        records.ok_or_else(|| ended(file, running.end_cause(), outcome))
+    };
+    let say = move |records, folder: &Path| {
+        let first = match part.parts {
+            1 => String::new(),
+            parts => format!("once all {parts} parts are there, "),
+        };
+        let merge = CommandLine::own("merge").with_files(folder.join(PARTS).display(), "*.toml");
+        let next = Next::Command(first, merge);
+        Ok(Outcome { next, ..Outcome::unlisted(vec![made(part, work, records)?], folder)? })
+    };
+    Plan::new(complete, say).writing(folder, [path(part)])
 }
 
 /// The first line of a part: the digest of all that follows.
@@ -109,7 +128,7 @@ fn unsealed(content: &str) -> Option<&str> {
 ///
 /// # Errors
 /// The file is too long to be read again.
-pub(crate) fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> Result<OutputFile, Failure> {
+fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> Result<OutputFile, Failure> {
     let file = PartFile { program: versions::program(), of: W::IS.to_owned(), part, work, records };
     let text = toml::to_string(&file).map_err(|error| Failure::incomplete(error.to_string()))?;
     let content = sealed(&text).into_bytes();
@@ -224,14 +243,9 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
             "{missing} of {count} parts are missing: {shown}{more}: compute them with --part K/{count} and name them too"
         )));
     }
-    let (mut work, mut records) = (None, Vec::new());
-    for (_, part) in found {
-        work.get_or_insert(part.work);
-        records.extend(part.records);
-    }
-    let work =
-        work.ok_or_else(|| Failure::input("no parts are named: name all parts of a family or a map"))?;
-    Ok(Joined { work, task, records })
+    let first = found.remove(0).1;
+    let more = found.into_iter().flat_map(|(_, part)| part.records);
+    Ok(Joined { work: first.work, task, records: first.records.into_iter().chain(more).collect() })
 }
 
 #[cfg(test)]

@@ -42,11 +42,6 @@ impl Display {
         Display { bars: terminal::is_watched().then(MultiProgress::new), ..Display::default() }
     }
 
-    /// Whether there are bars.
-    pub(crate) fn has_bars(&self) -> bool {
-        self.bars.is_some()
-    }
-
     /// The same with the number of steps of integration, which go on within the longest work. An
     /// analysis that reports to it ends when the mark is set.
     pub(crate) fn counting(stop: Stop) -> Display {

@@ -39,6 +39,14 @@ pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
     Ok(Parameters::parse(&Text::new(&text, &asked.set), &file)?)
 }
 
+impl ParameterFile {
+    /// The options that name these parameters.
+    pub(crate) fn options(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let file = self.file.iter().map(|file| ("--parameters", file.display().to_string()));
+        file.chain(self.set.iter().map(|setting| ("--set", setting.to_string())))
+    }
+}
+
 /// Name and text of the named parameter file, or of the default one, which is built in for use
 /// outside a clone.
 ///

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use grazing_claims::errata;
-use grazing_claims::ledger::{Claim, Ledger, Test};
+use grazing_claims::ledger::{Claim, Test};
 use grazing_reproduction::Study;
 use grazing_reproduction::figures::beyond_proofs::BeyondProofs;
 
+use crate::claims::LEDGER;
 use crate::compare::{computed, published};
 use crate::failure::{Failure, computation};
 use crate::folder::{self, OutputFile};
@@ -44,18 +45,17 @@ fn results(study: &Study) -> Result<String, Failure> {
         let computed = computed(comparison).unwrap_or_default();
         text.push_str(&format!("| {} | {} | {computed} |\n", published.quantity, published.printed));
     }
-    let ledger = Ledger::of_the_paper();
-    let count = |is: fn(&Claim) -> bool| ledger.claims.iter().filter(|claim| is(claim)).count();
+    let count = |is: fn(&Claim) -> bool| LEDGER.claims.iter().filter(|claim| is(claim)).count();
     text.push_str(&format!(
         "\n**Claims.** The paper makes {} claims: {} are tested by a check, {} by comparison with printed numbers, {} give \
          parameters, and {} cannot be\ntested by a computation. Print and mathematics differ in [{} errata](docs/ERRATA.md), none of which changes what the \
          theorems state.\n",
-        ledger.claims.len(),
+        LEDGER.claims.len(),
         count(|claim| matches!(claim.test(), Test::Check(_))),
         count(|claim| matches!(claim.test(), Test::Published(_))),
         count(|claim| matches!(claim.test(), Test::Given(_))),
         count(|claim| matches!(claim.test(), Test::Unchecked(_))),
-        errata::count(&ledger.claims),
+        errata::count(&LEDGER.claims),
     ));
     let shown = study.shown::<BeyondProofs>().map_err(|error| computation("beyond_proofs", &error))?;
     let [curves, points, regions] = ["curve", "point", "region"]

@@ -3,12 +3,8 @@
 mod links;
 mod oscillators;
 
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Instant;
 
-use grazing_claims::ledger::Ledger;
 use grazing_report::{Counts, FileDigest, Manifest, Part, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
@@ -16,47 +12,46 @@ use grazing_results::title::Place;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments::Report;
-use crate::commands::CommandLine;
 use crate::compare::published;
 use crate::failure::Failure;
-use crate::folder::{self, OutputFile};
+use crate::folder::{self, Batch, OutputFile};
 use crate::oscillator::{OscillatorFile, file_name, noted};
 use crate::outputs::edition::Edition;
 use crate::outputs::paper;
-use crate::progress::Display;
+use crate::runner::{Next, Outcome, Plan, Running};
 use crate::unfold::FIGURES;
-use crate::{claims, project, terminal, versions};
+use crate::{claims, project, versions};
 
-/// Computes everything and writes the page.
+/// Reads all that the page is computed from. Claims that do not hold are shown on it.
 ///
 /// # Errors
-/// The page cannot be produced, or something is missing on it; claims that do not hold are shown on it.
-pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
-    crate::limits::leave_nothing_behind();
-    let start = Instant::now();
+/// Bad input, or the page cannot be written.
+pub(crate) fn read(arguments: &Report) -> Result<Plan<'_>, Failure> {
     let parameters = project::parameters(&arguments.parameters)?;
     paper::refuse_malformed(paper::ALL.iter(), &Study::new(&parameters))?;
     let (folder, name) = place(&arguments.output)?;
     let sources = OscillatorFile::all(project::root().as_deref(), &arguments.oscillators)?;
-    arguments.threads.start()?;
-    let ledger = Ledger::of_the_paper();
-    let report = assemble(arguments, &ledger, &parameters, &sources)?;
-    let (missing, all) = (report.missing.len(), paper::ALL.len() + sources.len());
-    let written = write(&report, &folder, name)?;
-    terminal::say(&summary(&report, &written));
-    terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    terminal::say_next(&CommandLine::of(&["open"]).with(written.display()));
-    report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
-    if missing > 0 { Err(Failure::partial(missing, all)) } else { Ok(()) }
+    let all = paper::ALL.len() + sources.len();
+    let compute = move |running: &Running<'_>| assemble(arguments, &parameters, &sources, running);
+    let say = move |report: grazing_report::Report<'_>, folder: &Path| {
+        let missing = report.missing.len();
+        let batch = written(&report, folder, name);
+        Ok(Outcome {
+            remark: summary(&report, &batch),
+            batches: vec![batch],
+            next: Next::Look,
+            notes: report.missing.iter().map(|reason| format!("error: {reason}")).collect(),
+            failure: (missing > 0).then(|| Failure::partial(missing, all)),
+            ..Outcome::default()
+        })
+    };
+    Ok(Plan::new(compute, say).writing(folder, []))
 }
 
-/// Writes the page; one with something missing does not replace a complete one.
-fn write(report: &grazing_report::Report<'_>, folder: &Path, name: PathBuf) -> Result<PathBuf, Failure> {
-    let files = [OutputFile { path: name, content: page(report).into_bytes() }];
-    let folder = folder::place_to_write(folder, &files, !report.missing.is_empty());
-    folder::write(&folder, &files)?;
-    let [file] = files;
-    Ok(folder.join(file.path))
+/// The page in a folder; one with something missing does not replace a complete one.
+fn written(report: &grazing_report::Report<'_>, folder: &Path, name: PathBuf) -> Batch {
+    let files = vec![OutputFile { path: name, content: page(report).into_bytes() }];
+    Batch { incomplete: !report.missing.is_empty(), ..Batch::unlisted(folder, files) }
 }
 
 /// The folder and the name of the page, after a check that it can be written.
@@ -77,18 +72,17 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
 }
 
 /// The content of the page.
-fn assemble<'a>(
+fn assemble(
     arguments: &Report,
-    ledger: &'a Ledger,
     parameters: &Parameters,
     oscillators: &[OscillatorFile],
-) -> Result<grazing_report::Report<'a>, Failure> {
-    let display = Arc::new(Display::new());
+    running: &Running<'_>,
+) -> Result<grazing_report::Report<'static>, Failure> {
     let repository = project::root();
     let root = repository.as_deref().and_then(links::files_at_host);
     let (mut entries, mut missing) = (Vec::new(), Vec::new());
     for source in oscillators {
-        match source.entry(repository.as_deref(), root.as_deref()) {
+        match source.entry(repository.as_deref(), root.as_deref(), running) {
             Ok((entry, met)) => {
                 entries.push(entry);
                 missing.extend(met.map(|met| met.to_string()));
@@ -97,9 +91,9 @@ fn assemble<'a>(
         }
     }
     oscillators::distinguish(entries.iter_mut().map(|entry| &mut entry.id));
-    let study = Study::new(parameters).with_progress(display.clone());
+    let study = Study::new(parameters).with_progress(running.progress().clone());
     let (mut of_the_paper, mut beyond, mut digests) = (Part::default(), Part::default(), Vec::new());
-    let progress: &dyn Progress = &*display;
+    let progress: &dyn Progress = &**running.progress();
     progress.begin(FIGURES, paper::ALL.len() as u64);
     for output in paper::ALL {
         let made = output.made(&study, &Edition::default());
@@ -131,8 +125,8 @@ fn assemble<'a>(
         missing.push(failure.to_string());
         Vec::new()
     });
-    let all: Vec<_> = ledger.claims.iter().collect();
-    let claims = claims::findings(parameters, &all, &display)?;
+    let all: Vec<_> = claims::LEDGER.claims.iter().collect();
+    let claims = claims::findings(parameters, &all, progress)?;
     let default = arguments.parameters.file.is_none() && arguments.parameters.set.is_empty();
     let (file, text) = project::parameter_file(arguments.parameters.file.as_deref())?;
     Ok(grazing_report::Report {
@@ -161,8 +155,11 @@ fn assemble<'a>(
 }
 
 /// A summary of the page, and its path.
-fn summary(report: &grazing_report::Report<'_>, output: &Path) -> String {
-    let size = fs::metadata(output).map_or(0, |file| file.len());
+fn summary(report: &grazing_report::Report<'_>, batch: &Batch) -> String {
+    let (path, size) = match batch.files.as_slice() {
+        [file, ..] => (batch.place().join(&file.path), file.content.len()),
+        [] => (batch.place(), 0),
+    };
     let Counts { published, passed, failed, given, unchecked, errata } = report.counts();
     format!(
         "{path}: {megabytes:.1} MB; it needs no network.\n\
@@ -170,7 +167,7 @@ fn summary(report: &grazing_report::Report<'_>, output: &Path) -> String {
          Claims: {passed} passed, {failed} failed, {given} give parameters, {unchecked} cannot be tested; \
          {errata} errata.\n\
          {figures} figures, {files} output files, {oscillators} other oscillators.\n",
-        path = output.display(),
+        path = path.display(),
         megabytes = size as f64 / 1e6,
         figures = report.figures.len(),
         files = report.manifest.outputs.len(),
@@ -184,11 +181,15 @@ mod tests {
 
     #[test]
     fn a_page_with_something_missing_does_not_replace_a_complete_one() {
+        use std::fs;
+
         let folder = tempfile::tempdir().expect("a temporary folder can be made");
         let write = |missing: &[&str]| {
             let missing = missing.iter().map(|reason| (*reason).to_owned()).collect();
             let report = grazing_report::Report { missing, ..Default::default() };
-            write(&report, folder.path(), PathBuf::from("report.html")).expect("the folder is ours")
+            let batch = written(&report, folder.path(), PathBuf::from("report.html"));
+            batch.write().expect("the folder is ours");
+            batch.place().join("report.html")
         };
         let whole = write(&[]);
         assert_eq!(whole, folder.path().join("report.html"));

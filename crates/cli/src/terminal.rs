@@ -26,13 +26,8 @@ pub(crate) fn say(text: &str) {
     say_coloured(&layout().fitted(&shown(text)));
 }
 
-/// Writes the next command to type, as the last line.
-pub(crate) fn say_next(command: &CommandLine) {
-    say_next_after("", command);
-}
-
-/// Writes what to do next: something, and then a command.
-pub(crate) fn say_next_after(first: &str, command: &CommandLine) {
+/// Writes what to do next, as the last line: a command, after something else unless that is empty.
+pub(crate) fn say_next(first: &str, command: &CommandLine) {
     let words = command.words().iter().map(|word| shown(word).into_owned());
     say_coloured(&layout().command(&format!("Next: {first}"), words));
 }

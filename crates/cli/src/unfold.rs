@@ -11,26 +11,25 @@ pub(crate) mod places;
 pub(crate) mod reason;
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use grazing_analysis::place::at_place;
-use grazing_analysis::unfolded::AtResonance;
+use grazing_analysis::unfolded::{AtResonance, Keep, Prepared};
 use grazing_description::Limits;
 use grazing_measured::{NOT_FINISHED, Observation, compare, read};
-use grazing_model::smooth::SmoothOscillator;
+use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::place::AtPlace;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments;
-use crate::commands::CommandLine;
 use crate::failure::Failure;
-use crate::folder::{self, OutputFile, summary};
-use crate::limits::{self, Watch, ended};
-use crate::oscillator::{AS_ONE_WALL, OscillatorFile, parameter_names, settings, with_loops, with_one_wall};
-use crate::outputs::edition::{Edition, Format};
-use crate::outputs::latex;
+use crate::folder::{self, Batch, OutputFile};
+use crate::layout::Layout;
+use crate::limits::{self, EndCause, ended};
+use crate::oscillator::{OscillatorFile, parameter_names};
+use crate::outputs::accompanying;
+use crate::outputs::edition::Edition;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
-use crate::progress::Display;
+use crate::runner::{Next, Outcome, Plan, Running};
 use crate::{data_page, terminal};
 use analysis::analyse;
 use keeper::Keeper;
@@ -43,87 +42,99 @@ const RESULTS: &str = "unfolded";
 pub(crate) const FIGURES: &str = "figures and tables";
 const FILES: &str = "conversion of figures and tables";
 
-/// A file that is to be unfolded.
-struct Task {
-    of: OscillatorFile,
-    measured: Option<Vec<Observation>>,
+/// An oscillator that is to be unfolded.
+pub(crate) struct Task {
+    pub(crate) of: OscillatorFile,
+    pub(crate) measured: Option<Vec<Observation>>,
     /// Places at which motion is simulated.
-    at: Vec<[f64; 2]>,
-    folder: PathBuf,
-    limits: Limits,
+    pub(crate) at: Vec<[f64; 2]>,
 }
 
-/// Unfolds every file, one after the other, after checks that all are right and their folders writable.
+/// An oscillator that was unfolded.
+pub(crate) struct Diagram {
+    pub(crate) analysed: AnalysedOscillator,
+    /// The cause that ended the computation, if anything is missing.
+    pub(crate) met: Option<EndCause>,
+    /// The places at which motion was not finished.
+    missing: Vec<[f64; 2]>,
+    /// The mark of the analysis, which has counted its steps.
+    motion: Stop,
+}
+
+/// Reads every file that is to be unfolded, one after the other.
 ///
 /// # Errors
-/// Bad input, before anything is computed; the failure of a single file, or how many of several failed.
-pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
-    let edition = arguments.look.edition();
+/// Bad input.
+pub(crate) fn read(arguments: &arguments::Unfold) -> Result<Vec<Plan<'_>>, Failure> {
     if arguments.data.is_some() && arguments.files.len() > 1 {
         return Err(Failure::input(
             "--data belongs to one oscillator: name one file, and run the command again for the next",
         ));
     }
-    let tasks = tasks(arguments)?;
-    for task in &tasks {
-        let mut paths: Vec<PathBuf> =
-            oscillator::ALL.iter().flat_map(|output| output.paths(&edition)).collect();
-        paths.extend([
-            PathBuf::from(PAGE),
-            data_page::path(),
-            PathBuf::from(folder::MANIFEST),
-            keeper::path(),
-        ]);
-        folder::ensure_writable(&task.folder, &paths)?;
-    }
-    arguments.threads.start()?;
-    limits::listen();
-    let (mut failing, mut code) = (0, None);
-    for (number, task) in tasks.iter().enumerate() {
-        if number > 0 {
-            terminal::say("\n");
+    Ok(tasks(arguments)?.into_iter().map(|(task, folder)| plan(task, folder, arguments)).collect())
+}
+
+fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> {
+    let edition = arguments.look.edition();
+    let paths = oscillator::ALL.iter().flat_map(|output| output.paths(&edition));
+    let paths: Vec<PathBuf> = paths.chain([PathBuf::from(PAGE), keeper::path()]).collect();
+    let OscillatorFile { file, description, taken, .. } = &task.of;
+    let (file, heading) = (file.clone(), listing::oscillator(terminal::layout(), description, file));
+    let limits = (arguments.limits.over(description.limits()), *taken);
+    let to = folder.clone();
+    let compute = move |running: &Running<'_>| {
+        let keeper = Keeper::new(&to);
+        let prepare = |of: &OscillatorFile, stop: &Stop| Ok(of.prepared(stop));
+        let diagram = unfold(task, &prepare, running, &|table| keeper.keep(table))?;
+        let (files, left_out) = diagram.files(&edition, running)?;
+        let failure = if diagram.met.is_some() {
+            let outcome = "the unfinished parts are named above; everything else is written";
+            Some(ended(&diagram.analysed.oscillator.file, diagram.met, outcome))
+        } else if left_out.is_empty() {
+            diagram.verdict().err()
+        } else {
+            Some(limits::no_room(&diagram.analysed.oscillator.file, running.limits(), &left_out))
+        };
+        let incomplete = diagram.met.is_some() || !left_out.is_empty();
+        Ok((diagram, files, incomplete, failure))
+    };
+    let say = |(diagram, files, incomplete, failure): (Diagram, _, _, _), folder: &Path| {
+        let layout = terminal::layout();
+        let mut text = diagram.listing(layout);
+        if arguments.explain {
+            let AnalysedOscillator { oscillator, unfolded, .. } = &diagram.analysed;
+            text.push_str(&explanation::all(layout, &oscillator.description, unfolded));
+            text.push_str(&explanation::steps(layout, diagram.motion.by_purpose()));
         }
-        if limits::is_interrupted() {
-            terminal::note(&format!("{}: not started", task.of.file.display()));
-            failing += 1;
-            continue;
-        }
-        match task.run(&edition, arguments.explain) {
-            Err(failure) if tasks.len() == 1 => return Err(failure),
-            Err(failure) => {
-                terminal::report(&failure);
-                failing += 1;
-                code.get_or_insert(failure.exit_code());
-            }
-            Ok(()) => {}
-        }
-    }
-    match code {
-        // The exit code of the first failure.
-        Some(code) => {
-            Err(Failure::new(code, format!("{failing} of {} files failed, see above", tasks.len())))
-        }
-        None => Ok(()),
-    }
+        Ok(Outcome {
+            text,
+            batches: vec![Batch { incomplete, ..Batch::run(folder, files) }],
+            obsolete: vec![folder.join(keeper::path())],
+            next: Next::Look,
+            failure,
+            ..Outcome::default()
+        })
+    };
+    Plan::new(compute, say).within(&file, limits).headed(heading).writing_run(folder, paths)
 }
 
 /// The files with what they describe, and the folders of their results, all of them different.
-fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
-    let mut tasks: Vec<Task> = Vec::new();
+fn tasks(arguments: &arguments::Unfold) -> Result<Vec<(Task, PathBuf)>, Failure> {
+    let mut tasks: Vec<(Task, PathBuf)> = Vec::new();
     for file in &arguments.files {
-        let settings = settings(&arguments.changes.set);
-        let mut of = OscillatorFile::read(file, &settings, arguments.limits.over(Limits::USUAL))?;
-        if arguments.data.is_some() {
-            with_one_wall(file, &of.description, "unfold --data", AS_ONE_WALL)?;
-        }
-        of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
+        let (changes, limits) = (&arguments.changes, arguments.limits.over(Limits::USUAL));
+        let of = OscillatorFile::read(file, &changes.set, limits)?;
+        let of = match &arguments.data {
+            Some(_) => of.of_one_wall("unfold --data", changes.loops.as_deref())?,
+            None => of.looped(changes.loops.as_deref())?,
+        };
         let named = folder::name_for(file);
         let folder = match &arguments.output {
             Some(folder) if arguments.files.len() == 1 => folder.clone(),
             Some(folder) => folder.join(&named),
             None => Path::new(RESULTS).join(&named),
         };
-        if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
+        if let Some((other, _)) = tasks.iter().find(|(_, other)| *other == folder) {
             return Err(Failure::input(format!(
                 "the results of {} and {} would both go to {}: unfold one file at a time, with --output DIR",
                 other.of.file.display(),
@@ -131,11 +142,9 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
                 folder.display()
             )));
         }
-        let limits = arguments.limits.over(of.description.limits());
         let names = parameter_names(&of.description);
         let renamed = arguments.named.of(arguments.data.as_deref())?;
-        let measured = arguments.data.as_ref().map(|data| read::points(data, names, renamed)).transpose();
-        let measured = measured.map_err(|error| Failure::input(error.to_string()))?;
+        let measured = arguments.data.as_ref().map(|data| read::points(data, names, renamed)).transpose()?;
         for &[mu, eta] in &arguments.at {
             let frequency = of.description.forcing_frequency(mu, eta);
             if !(frequency > 0.0 && frequency.is_finite()) {
@@ -145,99 +154,88 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
                 return Err(Failure::input(format!("{}: {problem}", file.display())));
             }
         }
-        tasks.push(Task { of, measured, at: arguments.at.clone(), folder, limits });
+        tasks.push((Task { of, measured, at: arguments.at.clone() }, folder));
     }
     Ok(tasks)
 }
 
-impl Task {
-    /// Computes, writes and lists everything.
-    fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
-        let start = Instant::now();
-        let OscillatorFile { file, description, .. } = &self.of;
-        let layout = terminal::layout();
-        terminal::say(&listing::oscillator(layout, description, file));
-        let keeper = Keeper::new(&self.folder);
-        let of_analysis = Watch::begin(self.limits, self.of.taken);
-        let motion = of_analysis.stop();
-        // The time of the analysis is not available for the comparison.
-        let watch = Watch::begin(self.limits, self.of.taken);
-        let (unfolded, met) = analyse(&self.of, of_analysis, &|table| keeper.keep(table))?;
-        let progress = Display::counting(watch.stop());
-        let progress: &dyn Progress = &progress;
-        let compared = self.measured.as_ref().map(|measured| {
-            let known = (&unfolded.diagram, &*unfolded.sequences.solutions);
-            compare(measured, &unfolded.axes, known, progress, &watch.stop())
-        });
-        let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
-        let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
-        let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
-        let place = |(number, at): (u32, &[f64; 2])| {
-            let found = at_place(&diagram.oscillator, &diagram.scope, units, (number, *at), progress)?;
-            Some(AtPlace { from_the_wall: !description.wall().is_usual(), ..found })
-        };
-        let found: Vec<AtPlace> = (1..).zip(&self.at).map_while(place).collect();
-        let unfinished = unfinished || found.len() < self.at.len();
-        let met = met.or_else(|| watch.end_cause().filter(|_| unfinished));
-        let analysed = AnalysedOscillator::new(file, description, unfolded).measured(compared).at(found);
-        let ((files, left_out), unfolded) = (self.files(&analysed, edition, progress)?, &analysed.unfolded);
-        let written = folder::write_run(&self.folder, &files, met.is_some() || !left_out.is_empty())?;
-        keeper.clear()?;
-        if met.is_none() {
-            limits::note_excess(file, self.limits, watch.taken());
-        }
-        terminal::say(&listing::results(layout, description, unfolded));
+/// Unfolds an oscillator, compares measurements with its diagram, and follows motion at places; `prepare` makes it ready for an
+/// analysis that a mark cancels.
+///
+/// # Errors
+/// There is nothing to unfold.
+pub(crate) fn unfold(
+    task: Task,
+    prepare: &dyn Fn(&OscillatorFile, &Stop) -> Result<Prepared, Failure>,
+    running: &Running<'_>,
+    keep: Keep<'_>,
+) -> Result<Diagram, Failure> {
+    let Task { of, measured, at, .. } = task;
+    // The mark of the analysis is not set by what comes after it, so that its oscillator still moves.
+    let analysis = running.another(None);
+    let motion = analysis.stop();
+    let (unfolded, met) = analyse(&of, prepare(&of, &motion)?, &analysis, keep)?;
+    drop(analysis);
+    let progress: &dyn Progress = &**running.progress();
+    let compared = measured.map(|measured| {
+        let known = (&unfolded.diagram, &*unfolded.sequences.solutions);
+        compare(&measured, &unfolded.axes, known, progress, &running.stop())
+    });
+    let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
+    let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
+    let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
+    let place = |(number, at): (u32, &[f64; 2])| {
+        let found = at_place(&diagram.oscillator, &diagram.scope, units, (number, *at), progress)?;
+        Some(AtPlace { from_the_wall: !of.description.wall().is_usual(), ..found })
+    };
+    let places: Vec<AtPlace> = (1..).zip(&at).map_while(place).collect();
+    let missing = at[places.len()..].to_vec();
+    let met = met.or_else(|| running.end_cause().filter(|_| unfinished || !missing.is_empty()));
+    let analysed = AnalysedOscillator::new(of, unfolded).measured(compared).at(places);
+    Ok(Diagram { analysed, met, missing, motion })
+}
+
+impl Diagram {
+    /// All that was found, as lines.
+    pub(crate) fn listing(&self, layout: Layout) -> String {
+        let Self { analysed, missing, .. } = self;
+        let (description, unfolded) = (&analysed.oscillator.description, &analysed.unfolded);
+        let mut text = listing::results(layout, description, unfolded);
         if let Some((other, seen)) = unfolded.other.as_deref().zip(description.from_each_wall().nth(1)) {
             let heading = "As the second wall sees it, without one-parameter diagrams; motion without impacts is the same";
-            terminal::say(&format!("\n{}", layout.wrapped("", heading)));
-            terminal::say(&listing::results(layout, &seen, other));
+            text.push_str(&format!("\n{}", layout.wrapped("", heading)));
+            text.push_str(&listing::results(layout, &seen, other));
         }
-        if let Some(compared) = &analysed.compared {
-            terminal::say(&measured::listing(layout, compared));
-        }
-        let missing = &self.at[analysed.places.len()..];
-        terminal::say(&places::listing(layout, &analysed.places, missing, &unfolded.axes.names));
-        if explain {
-            terminal::say(&explanation::all(layout, description, unfolded));
-            terminal::say(&explanation::steps(layout, motion.by_purpose()));
-        }
-        terminal::say(&format!("\n{}", summary(&written)));
-        terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-        if let Some((page, _)) = written.iter().find(|(path, _)| path.ends_with(PAGE)) {
-            terminal::say_next(&CommandLine::of(&["open"]).with(page));
-        }
-        if met.is_some() {
-            let outcome = "the unfinished parts are named above; everything else is written";
-            return Err(ended(file, met, outcome));
-        }
-        if !left_out.is_empty() {
-            return Err(limits::no_room(file, self.limits, &left_out));
-        }
-        let other = unfolded.other.as_deref();
-        let mut seen = [Some(unfolded), other].into_iter().flatten();
-        let missing = seen.find_map(|unfolded| listing::incomplete(&unfolded.diagram));
-        let other = other.map_or(&[][..], |other| &other.resonances);
-        verdict(file, &[unfolded.resonances.as_slice(), other].concat(), missing)
+        text.extend(analysed.compared.iter().map(|compared| measured::listing(layout, compared)));
+        text + &places::listing(layout, &analysed.places, missing, &unfolded.axes.names)
     }
 
     /// Figures, tables and the page that shows them; and the pictures for which there is no room.
     fn files(
         &self,
-        of: &AnalysedOscillator,
         edition: &Edition,
-        progress: &dyn Progress,
+        running: &Running<'_>,
     ) -> Result<(Vec<OutputFile>, Vec<PathBuf>), Failure> {
+        let (of, progress): (_, &dyn Progress) = (&self.analysed, &**running.progress());
         let computed = progress.during(FIGURES, 1, || of.computed(edition.columns))?;
-        let room = |megabytes| limits::has_room(self.limits, megabytes);
+        let room = |megabytes| limits::has_room(running.limits(), megabytes);
         let made = progress.during(FILES, 1, || computed.files_within(edition, &room));
         let (mut files, floats, left_out) = made?;
-        if edition.has(Format::Tex) {
-            files.extend(latex::files(&floats, self.of.description.constants()));
-        }
         let tables = of.outputs().flat_map(|output| output.tables).copied();
-        files.push(data_page::of_an_oscillator(tables, &of.unfolded.axes.names));
-        files.push(page::page(&self.of, &of.unfolded, &computed, &files));
+        let about = data_page::of_an_oscillator(tables, &of.unfolded.axes.names);
+        files.extend(accompanying(edition, &floats, of.oscillator.description.constants(), about));
+        files.push(page::page(of, &computed, &files));
         Ok((files, left_out))
+    }
+
+    /// A contradiction of the theorem, or something missing.
+    fn verdict(&self) -> Result<(), Failure> {
+        let unfolded = &self.analysed.unfolded;
+        let other = unfolded.other.as_deref();
+        let mut seen = [Some(unfolded), other].into_iter().flatten();
+        let missing = seen.find_map(|unfolded| listing::incomplete(&unfolded.diagram));
+        let other = other.map_or(&[][..], |other| &other.resonances);
+        verdict(&self.analysed.oscillator.file, &[unfolded.resonances.as_slice(), other].concat(), missing)
     }
 }
 

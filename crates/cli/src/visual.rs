@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_export::{Drawing, comparison};
 
-use crate::folder::{self, Changes, OutputFile};
+use crate::folder::{self, OutputFile, TemporaryFolder};
 use crate::terminal;
 
 /// A figure that has changed: the old content of its file, and the new file.
@@ -31,7 +31,7 @@ pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
     if changes.is_empty() {
         return;
     }
-    let folder = match Changes::new(output) {
+    let folder = match TemporaryFolder::for_changes(output) {
         Ok(folder) => folder,
         Err(error) => return terminal::note(&format!("the changed figures could not be compared: {error}")),
     };

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::measured::SeenKind;
-use grazing_source::read_file;
+use grazing_source::read_foreign;
 
-use self::cells::Row;
+use self::cells::{Row, Separator};
 use self::table::{Request, Table};
 
 mod cells;
@@ -94,7 +94,7 @@ pub fn points(
     names: [&str; 2],
     renamed: &Renamed,
 ) -> Result<Vec<Observation>, MeasurementError> {
-    Ok(points_of(&read_file(path)?, &path.display().to_string(), names, renamed)?.0)
+    Ok(points_of(&read_foreign(path)?, &path.display().to_string(), names, renamed)?.0)
 }
 
 /// The record of impacts in a file, with the names of both parameters.
@@ -102,7 +102,7 @@ pub fn points(
 /// # Errors
 /// As [`points`].
 pub fn record(path: &Path, names: [&str; 2], renamed: &Renamed) -> Result<Vec<Series>, MeasurementError> {
-    record_of(&read_file(path)?, &path.display().to_string(), names, renamed)
+    record_of(&read_foreign(path)?, &path.display().to_string(), names, renamed)
 }
 
 /// The points of another program's curves in a file, with the names of both parameters.
@@ -114,7 +114,7 @@ pub fn curves(
     names: [&str; 2],
     foreign: &Foreign,
 ) -> Result<Vec<Observation>, MeasurementError> {
-    curves_of(&read_file(path)?, &path.display().to_string(), names, foreign)
+    curves_of(&read_foreign(path)?, &path.display().to_string(), names, foreign)
 }
 
 /// The measurements in a text, and the columns that hold them, by their names in [`POINTS`]; `file` is the
@@ -150,6 +150,12 @@ pub fn curves_of(
     let request = Request { file, names, columns: POINTS, needed, renamed, foreign: true, separated: true };
     let table = Table::read(text, &request)?;
     table.rows.iter().map(|row| table.observation(row, foreign.curve)).collect()
+}
+
+/// The cells of a line of a table that commas separate, without surrounding blanks and quotation marks; none if a mark has no
+/// partner on the line, or stands within a cell.
+pub fn cells(line: &str) -> Option<Vec<String>> {
+    Separator::Comma.cells(line).ok().flatten()
 }
 
 /// The record of impacts in a text; `file` is the file's name in messages.

@@ -14,8 +14,42 @@ const MOST_BYTES: u64 = 1_000_000;
 /// # Errors
 /// [`SourceError::Unreadable`].
 pub fn read_file(path: &Path) -> Result<String, SourceError> {
-    let text = read_bytes(path, MOST_BYTES)
-        .and_then(|bytes| String::from_utf8(bytes).map_err(|_| io::Error::other("it is not UTF-8 text")));
+    read_text(path, |bytes| String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text"))
+}
+
+/// Reads a file that another program has written, of at most a megabyte: a text in UTF-8, in UTF-16 if it begins with that mark, or
+/// else in Latin-1, of which every byte is a character.
+///
+/// # Errors
+/// The file cannot be read, is longer, or is not a text.
+pub fn read_foreign(path: &Path) -> Result<String, SourceError> {
+    read_text(path, |bytes| decoded(bytes).ok_or("it is not text: save its table as CSV"))
+}
+
+/// The text of a file.
+fn decoded(bytes: Vec<u8>) -> Option<String> {
+    let units = |unit: fn([u8; 2]) -> u16| {
+        let pairs = bytes[2..].chunks(2).map(|pair| <[u8; 2]>::try_from(pair).ok().map(unit));
+        String::from_utf16(&pairs.collect::<Option<Vec<u16>>>()?).ok()
+    };
+    match bytes[..] {
+        [0xff, 0xfe, ..] => units(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => units(u16::from_be_bytes),
+        _ => String::from_utf8(bytes).map_or_else(|error| latin(error.as_bytes()), Some),
+    }
+}
+
+/// A text in Latin-1; none if there are bytes that no text has.
+fn latin(bytes: &[u8]) -> Option<String> {
+    let is_text = |byte: &u8| *byte >= b' ' || byte.is_ascii_whitespace();
+    bytes.iter().all(is_text).then(|| bytes.iter().copied().map(char::from).collect())
+}
+
+fn read_text(
+    path: &Path,
+    decode: impl FnOnce(Vec<u8>) -> Result<String, &'static str>,
+) -> Result<String, SourceError> {
+    let text = read_bytes(path, MOST_BYTES).and_then(|bytes| decode(bytes).map_err(io::Error::other));
     text.map_err(|reason| SourceError::Unreadable {
         file: path.display().to_string(),
         reason: reason.to_string(),

@@ -37,7 +37,7 @@ impl Origin {
     }
 
     pub(super) fn of_file(file: &Path, arguments: &arguments::Unfold) -> Result<Self, Failure> {
-        let text = grazing_source::read_file(file).map_err(grazing_description::DescriptionError::from)?;
+        let text = oscillator::read_text(file)?;
         let set = oscillator::settings(&arguments.changes.set).iter().map(ToString::to_string).collect();
         Ok(Self::new(file.display().to_string(), text, set, arguments.changes.loops.clone()))
     }

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use grazing_measured::read::cells;
+
 /// The most characters of a line that a message quotes.
 const QUOTED: usize = 80;
 
@@ -45,17 +47,20 @@ fn first_difference(is_table: bool, here: &str, made: &str) -> String {
 
 /// The first column in which two lines of a table differ, with both cells, if both lines have as
 /// many cells as the header.
-fn first_cell<'a>(header: &'a str, here: &'a str, made: &'a str) -> Option<(&'a str, [&'a str; 2])> {
-    let count = |line: &str| line.split(',').count();
-    if header == made || [here, made].map(count) != [count(header); 2] {
+fn first_cell(header: &str, here: &str, made: &str) -> Option<(String, [String; 2])> {
+    if header == made {
         return None;
     }
-    let cells = here.split(',').zip(made.split(',')).map(|(here, made)| [here, made]);
-    header.split(',').zip(cells).find(|(_, [here, made])| here != made)
+    let (names, here, made) = (cells(header)?, cells(here)?, cells(made)?);
+    if [&here, &made].map(Vec::len) != [names.len(); 2] {
+        return None;
+    }
+    let cells = here.into_iter().zip(made).map(|(here, made)| [here, made]);
+    names.into_iter().zip(cells).find(|(_, [here, made])| here != made)
 }
 
-fn cell(text: &str) -> String {
-    if text.is_empty() { "nothing".to_owned() } else { text.to_owned() }
+fn cell(text: String) -> String {
+    if text.is_empty() { "nothing".to_owned() } else { text }
 }
 
 fn quote(line: &str) -> String {

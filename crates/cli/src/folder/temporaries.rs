@@ -37,36 +37,59 @@ fn remove(path: &Path) {
     let _ = if is_folder { fs::remove_dir_all(path) } else { fs::remove_file(path) };
 }
 
-/// An empty file in the folder, with the permissions of other new files; it is deleted with the
-/// value unless it is moved into place.
-pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
+/// Begins a file or folder under a name of this run, with the permissions of other new ones.
+fn begun<T>(mode: u32, begin: impl FnOnce(&Builder<'_, '_>) -> io::Result<T>) -> io::Result<T> {
     let prefix = format!("{UNFINISHED}{}-", process::id());
     let mut builder = Builder::new();
     builder.prefix(&prefix);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
+        builder.permissions(fs::Permissions::from_mode(mode));
     }
-    let file = builder.tempfile_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?;
+    #[cfg(not(unix))]
+    let _ = mode;
+    begin(&builder)
+}
+
+/// An empty file in the folder, with the permissions of other new files; it is deleted with the
+/// value unless it is moved into place.
+pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let file = begun(0o666, |builder| builder.tempfile_in(folder))?;
     change_own(|own| own.insert(file.path().to_owned()));
     Ok(file)
 }
 
-/// A folder for pictures of what changed, in the system's folder for temporary files.
-pub(crate) struct Changes(TempDir);
+/// A folder that is deleted with the value, unless it is kept.
+pub(crate) struct TemporaryFolder(TempDir);
 
-impl Changes {
-    /// A new folder for changes in an output folder; stale ones for the same output folder are deleted.
-    pub(crate) fn new(output: &Path) -> io::Result<Changes> {
+impl TemporaryFolder {
+    /// A folder beside the free place of a new one, to which it may be moved once it is filled.
+    pub(super) fn for_place(place: &Path) -> io::Result<Self> {
+        if place.symlink_metadata().is_ok() {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
+        let beside = place.parent().filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::create_dir_all(beside)?;
+        sweep(beside);
+        Ok(Self::own(begun(0o777, |builder| builder.tempdir_in(beside))?))
+    }
+
+    /// A folder for pictures of what changed in an output folder, in the system's folder for temporary files; stale ones for the
+    /// same output folder are deleted.
+    pub(crate) fn for_changes(output: &Path) -> io::Result<Self> {
         let place = std::env::temp_dir();
         let mut hasher = DefaultHasher::new();
         output.canonicalize().unwrap_or_else(|_| output.to_owned()).hash(&mut hasher);
         let kind = format!("{CHANGES}{:016x}-", hasher.finish());
         sweep_kind(&place, &kind);
-        let folder = Builder::new().prefix(&format!("{kind}{}-", process::id())).tempdir_in(place)?;
+        Ok(Self::own(Builder::new().prefix(&format!("{kind}{}-", process::id())).tempdir_in(place)?))
+    }
+
+    fn own(folder: TempDir) -> Self {
         change_own(|own| own.insert(folder.path().to_owned()));
-        Ok(Changes(folder))
+        Self(folder)
     }
 
     /// The path of the folder.
@@ -74,10 +97,17 @@ impl Changes {
         self.0.path()
     }
 
-    /// Keeps the folder until the next run.
+    /// Keeps the folder where it is now.
     pub(crate) fn keep(self) {
         let path = self.0.keep();
         change_own(|own| own.remove(&path));
+    }
+
+    /// Moves the folder to its place.
+    pub(super) fn move_to(self, place: &Path) -> io::Result<()> {
+        fs::rename(self.path(), place)?;
+        self.keep();
+        Ok(())
     }
 }
 

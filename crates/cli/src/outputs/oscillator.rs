@@ -1,12 +1,12 @@
 //! The outputs that `unfold` writes about an oscillator.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use grazing_analysis::unfolded::{AlongGrazing, AtResonances, Unfolded};
-use grazing_description::{Description, FigureStyle, Named};
+use grazing_description::{FigureStyle, Named as Legend};
 use grazing_drawing::{
-    DrawingError, Heading, Look, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+    DrawingError, Heading, Look, Sheet, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
 };
 use grazing_results::Title;
@@ -20,14 +20,14 @@ use grazing_results::{Names, Stability, Tables, brief, columns};
 use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
 use crate::failure::Failure;
+use crate::oscillator::OscillatorFile;
 
 /// The analysis of an oscillator from a text file.
 pub(crate) type Analysis = Unfolded;
 
 /// An oscillator from a file, analysed.
 pub(crate) struct AnalysedOscillator {
-    file: PathBuf,
-    description: Description,
+    pub(crate) oscillator: OscillatorFile,
     pub(crate) unfolded: Analysis,
     diagram: PlaneDiagram,
     /// The comparison with measurements.
@@ -38,10 +38,9 @@ pub(crate) struct AnalysedOscillator {
 
 impl AnalysedOscillator {
     /// The analysis of the oscillator that the file describes.
-    pub(crate) fn new(file: &Path, description: &Description, unfolded: Analysis) -> Self {
+    pub(crate) fn new(oscillator: OscillatorFile, unfolded: Analysis) -> Self {
         let diagram = unfolded.plane_diagram();
-        let (file, description) = (file.to_owned(), description.clone());
-        Self { file, description, unfolded, diagram, compared: None, places: Vec::new() }
+        Self { oscillator, unfolded, diagram, compared: None, places: Vec::new() }
     }
 
     /// Adds the comparison with measurements.
@@ -79,13 +78,19 @@ impl AnalysedOscillator {
         Ok(ComputedOutput::joined(outputs.collect::<Result<Vec<_>, _>>()?))
     }
 
+    fn named(&self, width: SheetWidth) -> Named<'_> {
+        Named {
+            of: &self.oscillator.file,
+            name: self.oscillator.description.name(),
+            names: self.names(),
+            width,
+        }
+    }
+
     fn names(&self) -> &Names {
         &self.unfolded.axes.names
     }
 }
-
-/// The file of the magnifications, if all fit on one sheet.
-const MAGNIFICATIONS: &str = "magnifications.svg";
 
 /// The names of outputs that not every file has.
 const OWN: &str = "own-curves";
@@ -117,8 +122,8 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             Title::plain("resonances"),
             AtResonances::TABLES,
             |_, of: &AnalysedOscillator, _| {
-                let title = format!("Coefficients of {}", of.description.name().replace('$', ""));
-                let label = Caption::label("tab", &of.file, COEFFICIENT_COLUMNS.0);
+                let title = format!("Coefficients of {}", of.oscillator.description.name().replace('$', ""));
+                let label = Caption::label("tab", &of.oscillator.file, COEFFICIENT_COLUMNS.0);
                 Ok(ComputedOutput {
                     tables: of.unfolded.at_resonances().tables(of.names()),
                     printed: vec![(
@@ -136,7 +141,7 @@ pub(crate) const ALL: &[Output<AnalysedOscillator>] = &[
             "magnifications",
             Title::plain("magnifications about the resonances"),
             Magnifications::TABLES,
-            magnifications,
+            |output, of: &AnalysedOscillator, width| of.named(width).magnifications(output, of),
         )
     },
     STRAIGHTENED_CURVES,
@@ -173,38 +178,9 @@ const MEASURED: &str = "measured";
 
 /// Motion at the places that were asked for.
 pub(crate) const PLACES: Output<AnalysedOscillator> =
-    Output::new("places", Title::plain("motion at a place"), AtPlace::TABLES, |output, of, width| {
-        places(output, &of.file, (of.description.name(), of.names()), &of.places, width)
+    Output::new("places", Title::plain("motion at a place"), AtPlace::TABLES, |_, of, width| {
+        of.named(width).places(&of.places)
     });
-
-/// Figures and tables of motion at places of the parameter plane, for an oscillator of this name.
-pub(crate) fn places(
-    output: &Output<AnalysedOscillator>,
-    of: &Path,
-    (name, names): (&str, &Names),
-    places: &[AtPlace],
-    width: SheetWidth,
-) -> Computed {
-    let figure = |place: &AtPlace| {
-        let [primary, secondary] = names.shown();
-        let [mu, eta] = place.at.map(|value| brief(value, 6));
-        let shown = format!("motion at {primary} = {mu}, {secondary} = {eta}");
-        let title = format!("{name}: {shown}");
-        let description =
-            "Above: time series. Below: phase portrait, impacts by phase and velocity, and the basins of \
-                           attraction of motion that starts at rest."
-                .to_owned();
-        let tables = ["place_motion", "place_impacts", "place_basins"];
-        let heading =
-            Heading { name: PLACES.name, title: &title, description: &description, names, tables: &tables };
-        let sheet = draw_place(place, &heading, width)?;
-        let figure =
-            Figure::new(of, format!("place-{}.svg", place.place), shown, sheet, &output.table_names());
-        Ok(Figure { only: Some((columns::PLACE, vec![place.place])), ..figure })
-    };
-    let figures = places.iter().map(figure).collect::<Result<_, DrawingError>>()?;
-    Ok(ComputedOutput::new(figures, AtPlace::tables_of(places, names)))
-}
 
 /// The two-parameter diagram.
 pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
@@ -213,7 +189,9 @@ pub(crate) const TWO_PARAMETERS: Output<AnalysedOscillator> = Output {
         "diagram",
         Title::plain("two-parameter bifurcation diagram"),
         PlaneDiagram::TABLES,
-        two_parameters,
+        |_, of: &AnalysedOscillator, width| {
+            of.named(width).plane(&of.diagram, of.oscillator.description.figure().clone())
+        },
     )
 };
 
@@ -222,7 +200,12 @@ pub(crate) const ONE_PARAMETER: Output<AnalysedOscillator> = Output::new(
     DIAGRAMS,
     Title::plain("one-parameter bifurcation diagram"),
     OneParameter::TABLES,
-    one_parameter,
+    |_, of, width| {
+        let (named, diagrams) = (of.named(width), &of.unfolded.diagrams);
+        let figures =
+            diagrams.iter().map(|diagram| named.one_parameter(diagram)).collect::<Result<_, _>>()?;
+        Ok(ComputedOutput::new(figures, OneParameter::tables_of(diagrams, of.names())))
+    },
 );
 
 /// Curves in straightened coordinates.
@@ -232,187 +215,167 @@ pub(crate) const STRAIGHTENED_CURVES: Output<AnalysedOscillator> = Output {
         STRAIGHTENED,
         Title::plain("curves that leave resonances in straightened coordinates"),
         StraightenedCurves::TABLES,
-        straightened,
+        |_, of: &AnalysedOscillator, width| of.named(width).straightened(&of.unfolded.straightened()),
     )
 };
 
 pub(crate) type Computed = Result<ComputedOutput, Box<dyn Error>>;
 
-fn two_parameters(
-    output: &Output<AnalysedOscillator>,
-    of: &AnalysedOscillator,
-    width: SheetWidth,
-) -> Computed {
-    let file = output.figure_file();
-    let look = look(of.description.figure(), width);
-    plane(&of.file, of.description.name(), of.names(), &of.diagram, (file, output.title.owned()), look)
+/// An oscillator by its file, its name and the names of its parameters, drawn at a width.
+pub(crate) struct Named<'a> {
+    pub(crate) of: &'a Path,
+    pub(crate) name: &'a str,
+    pub(crate) names: &'a Names,
+    pub(crate) width: SheetWidth,
 }
 
-/// The look of figures that a file asks for.
-fn look(style: &FigureStyle, columns: SheetWidth) -> Look {
-    Look { columns, style: style.clone() }
-}
+impl Named<'_> {
+    fn heading<'h>(
+        &'h self,
+        name: &'static str,
+        title: &'h str,
+        description: &'h str,
+        tables: &'h [&'static str],
+    ) -> Heading<'h> {
+        Heading { name, title, description, names: self.names, tables }
+    }
 
-/// The two-parameter diagram of an oscillator of this name, and its tables.
-pub(crate) fn plane(
-    of: &Path,
-    name: &str,
-    names: &Names,
-    diagram: &PlaneDiagram,
-    (file, shown): (String, Title),
-    look: impl Into<Look>,
-) -> Computed {
-    let (look, tables) = (look.into(), ["points", "curves"]);
-    let title = format!("{name}: {shown}");
-    let frames = if diagram.magnified.is_empty() || !look.style.names.contains(&Named::Magnifications) {
-        ""
-    } else {
-        "; rectangles: magnifications"
-    };
-    let description = format!(
-        "{} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing \
-         bifurcations of maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other \
-         codimension-two points{frames}.",
-        axes(names, look.style.swap)
-    );
-    let heading =
-        Heading { name: "diagram", title: &title, description: &description, names, tables: &tables };
-    let sheet = draw_diagram(diagram, &heading, look)?;
-    let figure = Figure::new(of, file, shown, sheet, &tables);
-    Ok(ComputedOutput::new(vec![figure], diagram.tables(names)))
-}
+    /// Figures and tables of motion at places of the parameter plane.
+    pub(crate) fn places(&self, places: &[AtPlace]) -> Computed {
+        let figure = |place: &AtPlace| {
+            let [primary, secondary] = self.names.shown();
+            let [mu, eta] = place.at.map(|value| brief(value, 6));
+            let shown = format!("motion at {primary} = {mu}, {secondary} = {eta}");
+            let title = format!("{}: {shown}", self.name);
+            let description = "Above: time series. Below: phase portrait, impacts by phase and velocity, and the basins of \
+                               attraction of motion that starts at rest.";
+            let tables = ["place_motion", "place_impacts", "place_basins"];
+            let sheet =
+                draw_place(place, &self.heading(PLACES.name, &title, description, &tables), self.width)?;
+            let file = format!("place-{}.svg", place.place);
+            let figure = Figure::new(self.of, file, shown, sheet, &PLACES.table_names());
+            Ok(Figure { only: Some((columns::PLACE, vec![place.place])), ..figure })
+        };
+        let figures = places.iter().map(figure).collect::<Result<_, DrawingError>>()?;
+        Ok(ComputedOutput::new(figures, AtPlace::tables_of(places, self.names)))
+    }
 
-fn magnifications(
-    output: &Output<AnalysedOscillator>,
-    of: &AnalysedOscillator,
-    width: SheetWidth,
-) -> Computed {
-    let (look, tables) = (look(of.description.figure(), width), ["magnifications"]);
-    let title = format!("{}: magnifications about resonant grazing bifurcations", of.description.name());
-    let description = format!(
-        "{} Dashed: the quadratic approximations to the saddle-node and period-doubling curves.",
-        axes(of.names(), look.style.swap)
-    );
-    let magnifications = of.unfolded.magnifications(&of.diagram);
-    let (title, description) = (title.as_str(), description.as_str());
-    let heading = Heading { name: "magnifications", title, description, names: of.names(), tables: &tables };
-    let sheets = draw_magnifications(&magnifications, &heading, look)?;
-    let count = sheets.len();
-    let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
-        let title = match count {
+    /// The two-parameter diagram and its tables.
+    pub(crate) fn plane(&self, diagram: &PlaneDiagram, style: FigureStyle) -> Computed {
+        let (shown, tables) = (TWO_PARAMETERS.title.owned(), ["points", "curves"]);
+        let title = format!("{}: {shown}", self.name);
+        let frames = if diagram.magnified.is_empty() || !style.names.contains(&Legend::Magnifications) {
+            ""
+        } else {
+            "; rectangles: magnifications"
+        };
+        let description = format!(
+            "{} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing \
+             bifurcations of maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other \
+             codimension-two points{frames}.",
+            self.axes(style.swap)
+        );
+        let heading = self.heading("diagram", &title, &description, &tables);
+        let sheet = draw_diagram(diagram, &heading, Look { columns: self.width, style })?;
+        let figure = Figure::new(self.of, TWO_PARAMETERS.figure_file(), shown, sheet, &tables);
+        Ok(ComputedOutput::new(vec![figure], diagram.tables(self.names)))
+    }
+
+    fn magnifications(&self, output: &Output<AnalysedOscillator>, of: &AnalysedOscillator) -> Computed {
+        let (style, tables) = (of.oscillator.description.figure().clone(), ["magnifications"]);
+        let title = format!("{}: magnifications about resonant grazing bifurcations", self.name);
+        let description = format!(
+            "{} Dashed: the quadratic approximations to the saddle-node and period-doubling curves.",
+            self.axes(style.swap)
+        );
+        let magnifications = of.unfolded.magnifications(&of.diagram);
+        let heading = self.heading("magnifications", &title, &description, &tables);
+        let sheets = draw_magnifications(&magnifications, &heading, Look { columns: self.width, style })?;
+        let count = sheets.len();
+        let title = |number| match count {
             1 => output.title.owned(),
             _ => format!("{}, sheet {number} of {count}", output.title).into(),
         };
-        let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
-        let file = sheet_file(MAGNIFICATIONS, number, count);
-        let figure = Figure::new(&of.file, file, title, sheet, &tables);
-        Figure { only: Some((columns::PANEL, panels)), ..figure }
-    });
-    Ok(ComputedOutput::new(figures.collect(), magnifications.tables(of.names())))
-}
+        let figures = self.panelled(&output.figure_file(), sheets, title, &tables);
+        Ok(ComputedOutput::new(figures, magnifications.tables(self.names)))
+    }
 
-fn straightened(output: &Output<AnalysedOscillator>, of: &AnalysedOscillator, width: SheetWidth) -> Computed {
-    straightened_about(
-        output,
-        &of.file,
-        (of.description.name(), of.names()),
-        &of.unfolded.straightened(),
-        width,
-    )
-}
+    /// Curves in straightened coordinates.
+    pub(crate) fn straightened(&self, curves: &StraightenedCurves) -> Computed {
+        let (output, [primary, secondary]) = (&STRAIGHTENED_CURVES, self.names.shown());
+        let description = format!(
+            "Across $\\mu/\\eta^{{2}}$, where $\\mu$ is {primary} minus its value at grazing; up, by decades, $\\eta$, which is {secondary} minus \
+             its value at the resonance. Solid: curves that bound where maximal periodic solutions are stable. Dashed: their \
+             theoretical limits."
+        );
+        let title = format!("{}: {}", self.name, output.title);
+        let sheets =
+            draw_straightened(curves, &self.heading(STRAIGHTENED, &title, &description, &[]), self.width)?;
+        let title = |_| output.title.owned();
+        let figures = self.panelled(&output.figure_file(), sheets, title, &output.table_names());
+        Ok(ComputedOutput::new(figures, curves.tables(self.names)))
+    }
 
-/// Curves in straightened coordinates, for an oscillator of this name.
-pub(crate) fn straightened_about(
-    output: &Output<AnalysedOscillator>,
-    of: &Path,
-    (name, names): (&str, &Names),
-    curves: &StraightenedCurves,
-    width: SheetWidth,
-) -> Computed {
-    let [primary, secondary] = names.shown();
-    let description = format!(
-        "Across $\\mu/\\eta^{{2}}$, where $\\mu$ is {primary} minus its value at grazing; up, by decades, $\\eta$, which is {secondary} minus \
-         its value at the resonance. Solid: curves that bound where maximal periodic solutions are stable. Dashed: their \
-         theoretical limits."
-    );
-    let title = format!("{name}: {}", output.title);
-    let (title, description) = (title.as_str(), description.as_str());
-    let heading = Heading { name: STRAIGHTENED, title, description, names, tables: &[] };
-    let sheets = draw_straightened(curves, &heading, width)?;
-    let count = sheets.len();
-    let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
-        let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
-        let file = sheet_file(&output.figure_file(), number, count);
-        let figure = Figure::new(of, file, output.title.owned(), sheet, &output.table_names());
-        Figure { only: Some((columns::PANEL, panels)), ..figure }
-    });
-    Ok(ComputedOutput::new(figures.collect(), curves.tables(names)))
-}
+    /// Sheets as figures, each of which shows the rows of its own panels.
+    fn panelled(
+        &self,
+        file: &str,
+        sheets: Vec<Sheet>,
+        title: impl Fn(usize) -> Title,
+        tables: &[&'static str],
+    ) -> Vec<Figure> {
+        let count = sheets.len();
+        let figure = |(sheet, number): (Sheet, usize)| {
+            let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
+            let figure = Figure::new(self.of, sheet_file(file, number, count), title(number), sheet, tables);
+            Figure { only: Some((columns::PANEL, panels)), ..figure }
+        };
+        sheets.into_iter().zip(1..).map(figure).collect()
+    }
 
-fn one_parameter(
-    output: &Output<AnalysedOscillator>,
-    of: &AnalysedOscillator,
-    width: SheetWidth,
-) -> Computed {
-    let called = (of.description.name(), of.names());
-    let figure = |diagram: &OneParameter| one_parameter_figure(output, &of.file, called, diagram, width);
-    let diagrams = &of.unfolded.diagrams;
-    let figures = diagrams.iter().map(figure).collect::<Result<_, DrawingError>>()?;
-    Ok(ComputedOutput::new(figures, OneParameter::tables_of(diagrams, of.names())))
-}
-
-/// A one-parameter diagram of an oscillator of this name.
-pub(crate) fn one_parameter_figure(
-    output: &Output<AnalysedOscillator>,
-    of: &Path,
-    (name, names): (&str, &Names),
-    diagram: &OneParameter,
-    width: SheetWidth,
-) -> Result<Figure, DrawingError> {
-    let shown = format!("{}, {}", output.title, of_one_parameter(names.shown(), diagram));
-    let title = format!("{name}: {shown}");
-    let [across, _] = diagram.exchanged(names.titles());
-    let up = match diagram.ordinate {
-        Ordinate::X => "x-value of the return map",
-        other => other.name(),
-    };
-    let sweeps = match diagram.swept(Sweep::Up).next() {
-        Some(_) => "; arrowheads up and down: motion as the parameter is swept up and down",
-        None => "",
-    };
-    let neutral = match diagram.branches.iter().any(|point| point.stable == Stability::Neutral) {
-        true => ", broken ones neutral",
-        false => "",
-    };
-    let description = format!(
-        "Below: {across} across, {up} up; thick curves are stable, thin ones unstable{neutral}; dots are long-term forward \
+    /// A one-parameter diagram.
+    pub(crate) fn one_parameter(&self, diagram: &OneParameter) -> Result<Figure, DrawingError> {
+        let (output, names) = (&ONE_PARAMETER, self.names);
+        let shown = format!("{}, {}", output.title, of_one_parameter(names.shown(), diagram));
+        let title = format!("{}: {shown}", self.name);
+        let [across, _] = diagram.exchanged(names.titles());
+        let up = match diagram.ordinate {
+            Ordinate::X => "x-value of the return map",
+            other => other.name(),
+        };
+        let sweeps = match diagram.swept(Sweep::Up).next() {
+            Some(_) => "; arrowheads up and down: motion as the parameter is swept up and down",
+            None => "",
+        };
+        let neutral = match diagram.branches.iter().any(|point| point.stable == Stability::Neutral) {
+            true => ", broken ones neutral",
+            false => "",
+        };
+        let description = format!(
+            "Below: {across} across, {up} up; thick curves are stable, thin ones unstable{neutral}; dots are long-term forward \
              orbits{sweeps}. Above: phase portraits with the wall."
-    );
-    let heading = Heading {
-        name: "diagram",
-        title: &title,
-        description: &description,
-        names,
-        tables: match diagram.ordinate {
+        );
+        let tables: &[_] = match diagram.ordinate {
             Ordinate::X => {
                 &["diagram_bifurcations", "diagram_branches", "diagram_attractor", "diagram_portraits"]
             }
             _ => &["diagram_readings", "diagram_portraits"],
-        },
-    };
-    let sheet = draw_one_parameter(diagram, &heading, true, width)?;
-    let file = one_parameter_file(diagram.diagram);
-    let left_out = diagram.simulated.iter().flat_map(Orbits::left_out);
-    let shown = left_out.fold(shown, |shown, words| format!("{shown}; left out: {words}"));
-    let figure = Figure::new(of, file, shown, sheet, &output.table_names());
-    Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
-}
+        };
+        let heading = self.heading("diagram", &title, &description, tables);
+        let sheet = draw_one_parameter(diagram, &heading, true, self.width)?;
+        let file = format!("diagram-{}.svg", diagram.diagram);
+        let left_out = diagram.simulated.iter().flat_map(Orbits::left_out);
+        let shown = left_out.fold(shown, |shown, words| format!("{shown}; left out: {words}"));
+        let figure = Figure::new(self.of, file, shown, sheet, &output.table_names());
+        Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
+    }
 
-/// A sentence about the axes of the plane.
-fn axes(names: &Names, swapped: bool) -> String {
-    let [primary, secondary] = names.titles();
-    let [across, up] = if swapped { [secondary, primary] } else { [primary, secondary] };
-    format!("{across} across, {up} up.")
+    /// A sentence about the axes of the plane.
+    fn axes(&self, swapped: bool) -> String {
+        let [primary, secondary] = self.names.titles();
+        let [across, up] = if swapped { [secondary, primary] } else { [primary, secondary] };
+        format!("{across} across, {up} up.")
+    }
 }
 
 /// The extent of a one-parameter diagram, as `A from 0.26 to 0.34 at omega = 0.855` if those are
@@ -421,9 +384,4 @@ pub(crate) fn of_one_parameter<T: std::fmt::Display>(names: [T; 2], diagram: &On
     let [across, held] = diagram.exchanged(names);
     let [low, high] = diagram.frame.x.map(|end| brief(end, 6));
     format!("{across} from {low} to {high} at {held} = {}", brief(diagram.at, 6))
-}
-
-/// The file of a one-parameter diagram.
-fn one_parameter_file(number: u32) -> String {
-    format!("diagram-{number}.svg")
 }

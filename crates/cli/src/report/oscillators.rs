@@ -10,10 +10,10 @@ use grazing_unfold::progress::Progress;
 
 use crate::examples;
 use crate::failure::Failure;
-use crate::limits::{Watch, ended};
+use crate::limits::ended;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::oscillator::AnalysedOscillator;
-use crate::progress::Display;
+use crate::runner::Running;
 use crate::unfold::FIGURES;
 use crate::unfold::analysis::analyse;
 use crate::unfold::page;
@@ -45,16 +45,18 @@ impl OscillatorFile {
         &self,
         root: Option<&Path>,
         link: Option<&str>,
+        running: &Running<'_>,
     ) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
         // Finished curves are not kept: the page takes little time.
-        let (unfolded, met) = analyse(self, Watch::begin(self.description.limits(), self.taken), &|_| ())?;
+        let own = running.another(Some((self.description.limits(), self.taken)));
+        let (unfolded, met) = analyse(self, self.prepared(&own.stop()), &own, &|_| ())?;
+        drop(own);
         let outcome = "the unfinished parts are named on the page";
         let met = met.map(|met| ended(&self.file, Some(met), outcome));
-        let analysed = AnalysedOscillator::new(&self.file, &self.description, unfolded);
-        let display = Display::new();
-        let progress: &dyn Progress = &display;
+        let analysed = AnalysedOscillator::new(self.clone(), unfolded);
+        let progress: &dyn Progress = &**running.progress();
         let computed = progress.during(FIGURES, 1, || analysed.computed(SheetWidth::Paper))?;
-        let mut entry = page::entry(self, &analysed.unfolded, &computed);
+        let mut entry = page::entry(&analysed, &computed);
         if root.is_some_and(|root| self.file.parent() == Some(&root.join(examples::EXAMPLES))) {
             entry.file = format!("{}/{}", examples::EXAMPLES, entry.file);
             entry.link = link.map(|link| format!("{link}{}", entry.file));

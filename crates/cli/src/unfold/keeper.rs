@@ -5,7 +5,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use grazing_results::Table;
 
-use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::{tables, terminal};
 
@@ -40,11 +39,6 @@ impl<'a> Keeper<'a> {
 
     fn path(&self) -> PathBuf {
         self.folder.join(path())
-    }
-
-    /// Deletes the file once everything is written.
-    pub(super) fn clear(&self) -> Result<(), Failure> {
-        folder::remove(&self.path())
     }
 
     /// Writes the finished curves. The computation goes on if that fails: in the end all files may

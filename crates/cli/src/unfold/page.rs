@@ -10,6 +10,7 @@ use super::reason;
 use crate::folder::{self, OutputFile};
 use crate::oscillator::{OscillatorFile, file_name};
 use crate::outputs::ComputedOutput;
+use crate::outputs::oscillator::AnalysedOscillator;
 use crate::versions;
 
 /// The tables that are shown as tables.
@@ -18,8 +19,9 @@ const SHOWN: [&str; 5] = ["agreement", "measured", "coefficients", "hypotheses",
 pub(crate) const PAGE: &str = "report.html";
 
 /// The entry of the oscillator on a page.
-pub(crate) fn entry(of: &OscillatorFile, unfolded: &Analysis, computed: &ComputedOutput) -> OscillatorEntry {
-    let OscillatorFile { file, text, description, .. } = of;
+pub(crate) fn entry(analysed: &AnalysedOscillator, computed: &ComputedOutput) -> OscillatorEntry {
+    let AnalysedOscillator { oscillator: OscillatorFile { file, text, description, .. }, unfolded, .. } =
+        analysed;
     OscillatorEntry {
         id: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
         file: file_name(file),
@@ -36,17 +38,16 @@ pub(crate) fn entry(of: &OscillatorFile, unfolded: &Analysis, computed: &Compute
 
 /// The page about this oscillator alone, for the folder of its other files.
 pub(super) fn page(
-    of: &OscillatorFile,
-    unfolded: &Analysis,
+    analysed: &AnalysedOscillator,
     computed: &ComputedOutput,
     files: &[OutputFile],
 ) -> OutputFile {
     let digest = |file: &OutputFile| FileDigest::of(folder::with_slashes(&file.path), &file.content);
-    let entry = entry(of, unfolded, computed);
+    let entry = entry(analysed, computed);
     let report = Report {
         manifest: Manifest {
             parameter_file: entry.file.clone(),
-            parameters: of.text.clone(),
+            parameters: analysed.oscillator.text.clone(),
             outputs: files.iter().map(digest).collect(),
             ..versions::manifest()
         },

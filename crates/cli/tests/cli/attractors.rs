@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::{Command, Stdio};
 
 use crate::family::{VARY, behind_digest, files, forged, is_of_one_run};
 use crate::program::{DEFAULT, grazing, listing, narrow_duffing, project, snapshots};
@@ -110,4 +111,28 @@ fn a_map_that_cannot_be_made_is_told_before_anything_is_computed() {
     let unfit = ["attractors", "--set", "fig07.frequency=[0.9,0.95]"];
     assert_eq!(grazing(project.path(), &unfit).code, Some(3));
     assert_eq!(listing(project.path()), before);
+}
+
+#[test]
+fn a_new_folder_of_results_appears_with_all_its_files() {
+    let project = project(DEFAULT);
+    let results = project.path().join("results/map");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(SIZE)
+        .args(["--output", "results/map"])
+        .current_dir(project.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    // Without a pause: a folder that is filled file by file is seen before it is whole.
+    let mut ended = None;
+    while !results.exists() && ended.is_none() {
+        ended = run.try_wait().expect("it is ours");
+    }
+    let first = listing(&results);
+    assert!(run.wait().expect("it ends").success());
+    assert_eq!(first, listing(&results));
+    assert!(first.contains(&"manifest.sha256".to_owned()) && is_of_one_run(&results), "{first:?}");
+    assert_eq!(listing(project.path()).iter().filter(|path| path.contains(".grazing-")).count(), 0);
 }

@@ -18,6 +18,8 @@ pub(super) enum Separator {
 pub(super) struct Row {
     pub(super) line: u32,
     pub(super) cells: Vec<String>,
+    /// Whether the first cell is in quotation marks.
+    pub(super) quoted: bool,
 }
 
 impl Row {
@@ -73,17 +75,17 @@ impl Separator {
     pub(super) fn rows(self, text: &str) -> Result<Rows, Mistake> {
         let mut lines = (1..).zip(text.split('\n'));
         let (mut comment, mut rows) = (None, Vec::<Row>::new());
+        let of_auto = text.split('\n').any(|line| line.split_whitespace().take(AUTO.len()).eq(AUTO));
         while let Some((line, first)) = lines.next() {
             let unmarked = first.trim_start();
             if unmarked.is_empty() {
                 continue;
             }
-            if let Some(words) = unmarked.strip_prefix(['#', '%']) {
-                let words = words.trim_start_matches(['#', '%']);
+            if let Some(words) = commented(unmarked, of_auto) {
                 if rows.is_empty()
                     && let Ok(Some(cells)) = self.cells(words)
                 {
-                    comment = Some(Row { line, cells });
+                    comment = Some(Row { line, cells, quoted: false });
                 }
                 continue;
             }
@@ -103,7 +105,7 @@ impl Separator {
                     }
                 }
             };
-            rows.push(Row { line, cells });
+            rows.push(Row { line, cells, quoted: unmarked.starts_with('"') });
         }
         Ok(Rows { comment, rows })
     }
@@ -112,7 +114,7 @@ impl Separator {
     ///
     /// # Errors
     /// Something follows a quotation mark that ends a cell.
-    fn cells(self, line: &str) -> Result<Option<Vec<String>>, String> {
+    pub(super) fn cells(self, line: &str) -> Result<Option<Vec<String>>, String> {
         let is_blank = |letter: char| letter.is_whitespace() && !(self == Self::Tab && letter == '\t');
         let mut rest = if self == Self::Blanks { line.trim() } else { line };
         let mut cells = Vec::new();
@@ -143,6 +145,16 @@ impl Separator {
             }
         }
     }
+}
+
+/// The words with which AUTO-07p begins the line above the numbers of a branch; the lines of its heads begin with the number 0.
+const AUTO: [&str; 4] = ["0", "PT", "TY", "LAB"];
+
+/// The words of a comment, or of a head of AUTO-07p.
+fn commented(line: &str, of_auto: bool) -> Option<&str> {
+    let is_head = of_auto && line.split_whitespace().next() == Some(AUTO[0]);
+    let words = line.strip_prefix(['#', '%']).map(|words| words.trim_start_matches(['#', '%']));
+    words.or(is_head.then_some(line))
 }
 
 /// What stands before the quotation mark that ends a cell, and what stands after it; a doubled mark is one

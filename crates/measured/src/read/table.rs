@@ -214,7 +214,7 @@ impl<'t> Request<'t> {
                     format!("{reason}: separate all cells in one way, and write decimals with a point"),
                 ));
             }
-            let nameless = Row { line: first.line, cells: vec![String::new(); first.cells.len()] };
+            let nameless = Row { cells: vec![String::new(); first.cells.len()], ..first };
             (self.columns(&nameless, &by_number)?, first.cells.len())
         } else {
             match self.columns(&first, &by_number) {
@@ -238,6 +238,10 @@ impl<'t> Request<'t> {
         };
         // Spreadsheets write rows without content, and some programs end each line with a separator.
         rows.retain(|row| row.cells.iter().any(|cell| !cell.is_empty()));
+        // R writes the name of a row before its cells, and none for this column.
+        if rows.iter().all(|row| row.quoted && row.cells.len() == width + 1) {
+            rows.iter_mut().for_each(|row| drop(row.cells.remove(0)));
+        }
         for row in &mut rows {
             if row.cells.len() > width && row.cells[width..].iter().all(String::is_empty) {
                 row.cells.truncate(width);
