@@ -15,7 +15,7 @@ use crate::arguments::Export;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::limits::{self, Watch, ended};
-use crate::oscillator::{AS_ONE_WALL, OscillatorFile, settings, with_loops, with_one_wall};
+use crate::oscillator::{OscillatorFile, settings, with_loops};
 use crate::template::rendered;
 use crate::terminal;
 
@@ -64,7 +64,6 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let file = &arguments.file;
     let limits = grazing_description::Limits::USUAL;
     let of = OscillatorFile::read(file, &settings(&arguments.changes.set), limits)?;
-    with_one_wall(file, &of.description, "export", AS_ONE_WALL)?;
     let description = with_loops(of.description, arguments.changes.loops.as_deref())?;
     // AUTO reads the name in quotes, and the system as that of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
@@ -75,12 +74,23 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     folder::ensure_writable(&output, &paths)?;
     limits::listen();
     let watch = Watch::begin(limits, of.taken);
-    let (solution, flight) = match solution(&description, arguments.at, &watch) {
-        Err(_) if watch.end_cause().is_some() => {
-            return Err(ended(file, watch.end_cause(), "nothing was written"));
-        }
-        found => found?,
+    // A stable solution at either wall comes before one that is not at the first.
+    let seen = description.from_each_wall().map(|seen| {
+        let found = solution(&seen, arguments.at, &watch);
+        (found, seen)
+    });
+    let mut seen: Vec<_> = seen.collect();
+    if watch.end_cause().is_some() && seen.iter().any(|(found, _)| found.is_err()) {
+        return Err(ended(file, watch.end_cause(), "nothing was written"));
+    }
+    let walls = seen.len();
+    let rank = |found: &Result<(Solution, String), Failure>| {
+        found.as_ref().map_or(2, |(solution, _)| u8::from(!solution.multipliers.stable()))
     };
+    let order: Vec<usize> = (0..walls).collect();
+    let wall = order.into_iter().min_by_key(|wall| rank(&seen[*wall].0)).unwrap_or(0);
+    let (found, description) = seen.swap_remove(wall);
+    let (solution, flight) = found?;
     let axes = [description.primary(), description.secondary()];
     let axis_names = axes.map(|axis| axis.name());
     let [[lower, upper], secondary] = axes.map(|axis| axis.range());
@@ -114,8 +124,9 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let files: Vec<OutputFile> = paths.into_iter().zip(contents).map(file).collect();
     terminal::say(&folder::summary(&folder::written(&output, &files)?));
     let stability = Stability::of(solution.multipliers).name();
+    let of_wall = if walls > 1 { format!(", at wall {}", wall + 1) } else { String::new() };
     terminal::say(&format!(
-        "p = {}, {stability}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
+        "p = {}{of_wall}, {stability}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
         solution.loops,
         output.display()
     ));
@@ -137,7 +148,9 @@ fn solution(description: &Description, at: [f64; 2], watch: &Watch) -> Result<(S
     let starts = Starts { states: 0, ..Starts::default() };
     let found = Place::compute(&oscillator, &scope, &starts, &Silent);
     let mut solutions = found.map_or(Vec::new(), |place| place.solutions);
-    solutions.retain(|solution| solution.impacts.len() == 1 && solution.admissible);
+    solutions.retain(|solution| {
+        solution.impacts.len() == 1 && solution.admissible && !solution.stops.contains(&1)
+    });
     solutions.sort_by_key(|solution| !solution.multipliers.stable());
     let Some(mut chosen) = solutions.into_iter().next() else {
         return Err(Failure::input(format!(

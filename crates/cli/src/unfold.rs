@@ -26,7 +26,7 @@ use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile, summary};
 use crate::limits::{self, Watch, ended};
-use crate::oscillator::{AS_ONE_WALL, OscillatorFile, parameter_names, settings, with_loops, with_one_wall};
+use crate::oscillator::{OscillatorFile, parameter_names, settings, with_loops};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
@@ -113,9 +113,6 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     for file in &arguments.files {
         let settings = settings(&arguments.changes.set);
         let mut of = OscillatorFile::read(file, &settings, arguments.limits.over(Limits::USUAL))?;
-        if arguments.data.is_some() {
-            with_one_wall(file, &of.description, "unfold --data", AS_ONE_WALL)?;
-        }
         of.description = with_loops(of.description, arguments.changes.loops.as_deref())?;
         let named = folder::name_for(file);
         let folder = match &arguments.output {
@@ -166,7 +163,8 @@ impl Task {
         let progress = Display::counting(watch.stop());
         let progress: &dyn Progress = &progress;
         let compared = self.measured.as_ref().map(|measured| {
-            let known = (&unfolded.diagram, &*unfolded.sequences.solutions);
+            let other = unfolded.other.as_ref().map(|other| &other.diagram);
+            let known = (&unfolded.diagram, other, &*unfolded.sequences.solutions);
             compare(measured, &unfolded.axes, known, progress, &watch.stop())
         });
         let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
@@ -213,11 +211,10 @@ impl Task {
         if !left_out.is_empty() {
             return Err(limits::no_room(file, self.limits, &left_out));
         }
-        let other = unfolded.other.as_deref();
-        let mut seen = [Some(unfolded), other].into_iter().flatten();
-        let missing = seen.find_map(|unfolded| listing::incomplete(&unfolded.diagram));
-        let other = other.map_or(&[][..], |other| &other.resonances);
-        verdict(file, &[unfolded.resonances.as_slice(), other].concat(), missing)
+        let missing = unfolded.from_each_wall().find_map(|unfolded| listing::incomplete(&unfolded.diagram));
+        let all: Vec<AtResonance> =
+            unfolded.from_each_wall().flat_map(|unfolded| unfolded.resonances.clone()).collect();
+        verdict(file, &all, missing)
     }
 
     /// Figures, tables and the page that shows them; and the pictures for which there is no room.
