@@ -8,9 +8,9 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{FitError, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_model::smooth::{Purpose, Stop};
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::{OneParameter, Readings};
 use grazing_results::family::Family;
 use grazing_results::measured::{Comparison, Identified};
@@ -20,6 +20,7 @@ use grazing_results::plane::{
 use grazing_results::{Names, Tables, UnitNames, brief, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::{Hypothesis, Theorem};
+use grazing_unfold::levels::Level;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
@@ -29,7 +30,7 @@ use grazing_unfold::straightened::{StraightCurve, straighten};
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
-use grazing_unfold::{Diagram, UnfoldError};
+use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 
 pub use crate::described::{AtWall, Prepared, levels, prepared};
@@ -277,6 +278,22 @@ impl Unfolded {
             Some(reason) if !several => Err(reason.clone()),
             _ => Ok(self),
         }
+    }
+
+    /// Analyses any oscillator, given with its scope and the requested curves in the units of `axes`; the
+    /// oscillator's own parameter values are not used.
+    ///
+    /// # Errors
+    /// There is no grazing in the ranges.
+    pub fn compute(
+        oscillator: &AnyOscillator,
+        (scope, asked): (&Scope, Vec<Level>),
+        axes: Axes,
+        progress: &dyn Progress,
+        keep: Keep<'_>,
+    ) -> Result<Self, UnfoldError> {
+        let located = Diagram::located(oscillator, scope, progress)?.asking_for(asked);
+        Self::of_located(located, axes, progress, keep).found()
     }
 
     /// The results for a diagram of which grazing curves and resonances are located, in the units of `axes`.

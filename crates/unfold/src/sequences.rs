@@ -63,15 +63,32 @@ pub struct Sequences {
 const SIMULATED: &str = "motion with several impacts";
 /// The stage in which curves and regions are found.
 pub const REGIONS: &str = "regions of solutions with several impacts";
-/// Numbers of parts into which the ranges of η and μ are divided by the places of simulated motion.
-const ROWS: u32 = 32;
-const COLUMNS: u32 = 64;
 /// Number of random initial states at a place; motion from the place beside it is followed as well.
 const STARTS: u64 = 2;
-/// The seed of the random states, the lowest of them, and the time for which they are followed.
+/// The seed of the random states, and the lowest of them.
 const SEED: u128 = 1;
 const LOWEST: f64 = -2.0;
-const HORIZON: Horizon = Horizon::drifting(64, 24);
+
+/// Where motion is simulated, and for how long.
+struct Places {
+    /// Numbers of parts into which the ranges of η and μ are divided.
+    rows: u32,
+    columns: u32,
+    horizon: Horizon,
+}
+
+impl Places {
+    /// Solutions with several impacts may be stable in slivers.
+    const SEVERAL: Self = Self { rows: 32, columns: 64, horizon: Horizon::drifting(64, 24) };
+    /// Those with one impact at each of two walls are a few surfaces, along which they are followed from any of their points
+    /// that motion comes near.
+    const ONCE_AT_EACH: Self = Self { rows: 16, columns: 32, horizon: Horizon::drifting(16, 8) };
+
+    /// The value of η of a row.
+    fn level(&self, window: Window, row: u32) -> f64 {
+        window.parameters([0.0, f64::from(row) / f64::from(self.rows)])[1]
+    }
+}
 
 /// What is known of the solutions with so many impacts of a kind before their branches are followed.
 #[derive(Clone, Default)]
@@ -98,12 +115,13 @@ pub fn sequences(diagram: &Diagram, rounds: &[u32], generations: u32, progress: 
     if generations < 2 && !between_walls || most_rounds == 0 {
         return found;
     }
-    let levels: Vec<f64> = (0..=ROWS).map(|k| level(diagram.scope.window, k)).collect();
+    let places = if generations < 2 { Places::ONCE_AT_EACH } else { Places::SEVERAL };
+    let levels: Vec<f64> = (0..=places.rows).map(|row| places.level(diagram.scope.window, row)).collect();
     let most = (1..generations).fold((1, most_loops), |(impacts, periods), _| {
         (most_rounds as usize * impacts + 1, most_rounds * periods)
     });
     let mut leads: BTreeMap<Numbers, Leads> = BTreeMap::new();
-    for (numbers, solution) in simulated(diagram, &levels, progress) {
+    for (numbers, solution) in simulated(diagram, (&places, &levels), progress) {
         if is_sought(diagram, most, &numbers) {
             leads.entry(numbers).or_default().seen.push(solution);
         }
@@ -145,11 +163,6 @@ fn is_sought(diagram: &Diagram, most: (usize, u32), (impacts, (periods, stops)):
 /// The largest of some numbers, or 0.
 fn largest(numbers: &[u32]) -> u32 {
     numbers.iter().copied().max().unwrap_or(0)
-}
-
-/// The value of η of a row of places.
-fn level(window: Window, row: u32) -> f64 {
-    window.parameters([0.0, f64::from(row) / f64::from(ROWS)])[1]
 }
 
 /// The curves that leave a resonance.
@@ -238,10 +251,14 @@ fn of_numbers(
 }
 
 /// The solutions with several impacts on which simulated motion settles, row by row.
-fn simulated(diagram: &Diagram, levels: &[f64], progress: &dyn Progress) -> Vec<(Numbers, Unknowns)> {
+fn simulated(
+    diagram: &Diagram,
+    (places, levels): (&Places, &[f64]),
+    progress: &dyn Progress,
+) -> Vec<(Numbers, Unknowns)> {
     progress.begin(SIMULATED, levels.len() as u64);
     let row = |level: &f64| {
-        let found = along_row(diagram, *level, progress);
+        let found = along_row(diagram, (places, *level), progress);
         progress.step(SIMULATED);
         found
     };
@@ -251,17 +268,22 @@ fn simulated(diagram: &Diagram, levels: &[f64], progress: &dyn Progress) -> Vec<
 }
 
 /// The solutions with several impacts on which motion settles at the places of one row.
-fn along_row(diagram: &Diagram, level: f64, progress: &dyn Progress) -> Vec<(Numbers, Unknowns)> {
+fn along_row(
+    diagram: &Diagram,
+    (places, level): (&Places, f64),
+    progress: &dyn Progress,
+) -> Vec<(Numbers, Unknowns)> {
     let mut found = Vec::new();
     let mut beside: Vec<State> = Vec::new();
-    for column in (0..=COLUMNS).take_while(|_| !progress.stopped()) {
-        let [primary, _] = diagram.scope.window.parameters([f64::from(column) / f64::from(COLUMNS), 0.0]);
+    for column in (0..=places.columns).take_while(|_| !progress.stopped()) {
+        let share = f64::from(column) / f64::from(places.columns);
+        let [primary, _] = diagram.scope.window.parameters([share, 0.0]);
         let here = diagram.oscillator.with_parameters([primary, level]);
         let mut random = Pcg64::new(SEED, u128::from(column));
         let fresh = (0..STARTS).map(|_| random_start(&here, LOWEST, &mut random));
         let starts: Vec<State> = beside.drain(..).chain(fresh).collect();
         for from in starts {
-            let orbit = LongOrbit::follow(&here, from, HORIZON);
+            let orbit = LongOrbit::follow(&here, from, places.horizon);
             let Some(cycle) = orbit.cycle.filter(|cycle| cycle.impacts > 0) else { continue };
             if beside.is_empty() {
                 beside.push(cycle.from);
