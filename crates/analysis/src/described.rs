@@ -5,9 +5,10 @@ use core::f64::consts::TAU;
 use grazing_continuation::curve::Window;
 use grazing_description::{Axis, Description, OwnCurve, Property as Written};
 use grazing_model::smooth::{Stop, Stoppable, Units};
-use grazing_model::{AnyOscillator, LinearOscillator, OscillatorError};
-use grazing_unfold::Scope;
+use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OscillatorError};
 use grazing_unfold::levels::{Level, Property};
+use grazing_unfold::progress::Progress;
+use grazing_unfold::{Diagram, Scope, UnfoldError};
 
 use crate::plane::Axes;
 
@@ -53,9 +54,54 @@ impl Prepared {
         })
     }
 
+    /// What is to be computed as each wall sees it: the first, and then the other one if there are two.
+    pub fn from_each_wall(&self) -> impl Iterator<Item = AtWall> {
+        let other = self.oscillator.other_stop();
+        let wall = u32::from(other.is_some());
+        let Self { oscillator, scope, asked, .. } = self;
+        let first =
+            AtWall { wall, oscillator: oscillator.clone(), scope: scope.clone(), asked: asked.clone() };
+        // The start of the search, and the curves that a file requests, are seen from the first wall.
+        let scope = Scope { start: None, ..scope.clone() };
+        let other = other.map(|oscillator| AtWall { wall: 2, oscillator, scope, asked: Vec::new() });
+        [first].into_iter().chain(other)
+    }
+
     /// A place given in the oscillator's own units, in dimensionless form.
     pub fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
         [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
+    }
+}
+
+/// An oscillator as one of its walls sees it, and what is to be computed of it.
+pub struct AtWall {
+    /// The number of the wall, 1 or 2, if there are two; 0 otherwise.
+    pub wall: u32,
+    /// The oscillator.
+    pub oscillator: AnyOscillator,
+    scope: Scope,
+    asked: Vec<Level>,
+}
+
+impl AtWall {
+    /// The first half of a diagram: [`Diagram::located`].
+    ///
+    /// # Errors
+    /// The computation was cancelled before anything was found.
+    pub fn located(self, progress: &dyn Progress) -> Result<Diagram, UnfoldError> {
+        let Self { wall, oscillator, scope, asked } = self;
+        let located = Diagram::located(&oscillator, &scope, progress)?;
+        Ok(Diagram { wall, ..located }.asking_for(asked))
+    }
+
+    /// The whole diagram, with its regions, even if there is nothing in it.
+    ///
+    /// # Errors
+    /// As [`located`](Self::located).
+    pub fn whole(self, progress: &dyn Progress) -> Result<Diagram, UnfoldError> {
+        let located = self.located(progress)?;
+        let followed = located.follow(progress, &|_, _| ());
+        Ok(located.with(followed, progress))
     }
 }
 

@@ -45,24 +45,54 @@ pub(crate) fn own_header<'a>(name: &str, tables: impl Iterator<Item = &'a TableP
     name
 }
 
-/// A diagram with the panels that magnify it and the lines along which one-parameter diagrams run.
+/// A diagram with the panels that magnify it and the lines along which one-parameter diagrams run; if there are two
+/// walls, as the first sees it and then as the other does.
 pub fn plane_diagram(
     axes: &Axes,
-    diagram: &Diagram,
+    (first, other): (&Diagram, Option<&Diagram>),
     magnified: Vec<MagnifiedPanel>,
     sections: Vec<Section>,
 ) -> PlaneDiagram {
-    PlaneDiagram {
-        curves: curves(axes, diagram),
-        points: points(axes, diagram),
-        regions: regions_of(axes, diagram),
-        frame: diagram.scope.window.in_units(&axes.units).into(),
+    let mut all = PlaneDiagram {
+        curves: curves(axes, first),
+        points: points(axes, first),
+        regions: regions_of(axes, first),
+        frame: first.scope.window.in_units(&axes.units).into(),
         magnified,
         sections,
-        own: own_curves(axes, diagram),
+        own: own_curves(axes, first),
         measured: Vec::new(),
         several: Vec::new(),
+        at_both_walls: Vec::new(),
+    };
+    if let Some(other) = other {
+        all.curves.retain(|row| is_shown(row, first.wall));
+        let arcs = all.curves.last().map_or(0, |row| row.arc + 1);
+        let own = curves(axes, other).into_iter().filter(|row| is_shown(row, other.wall));
+        all.curves.extend(own.map(|row| PlanePoint { arc: arcs + row.arc, ..row }));
+        all.points.extend(points(axes, other).into_iter().filter(|row| counts(row.loops, other.wall)));
+        let regions = all.regions.last().map_or(0, |row| row.region);
+        let own = regions_of(axes, other).into_iter().filter(|row| counts(row.loops, other.wall));
+        all.regions.extend(own.map(|row| RegionVertex { region: regions + row.region, ..row }));
     }
+    all
+}
+
+/// Whether a curve is shown as a wall sees it, by one of its points: of what bounds motion without impacts the first of
+/// two walls shows all but grazing of the other, which is a curve of the other view; and the other one nothing but its own
+/// grazing.
+pub fn is_shown(row: &PlanePoint, wall: u32) -> bool {
+    match wall {
+        0 => true,
+        1 => row.wall > 0 || row.kind != Bifurcation::NonImpactingGrazing,
+        _ => row.wall > 0,
+    }
+}
+
+/// Whether solutions of p loops count as a wall sees them: motion without impacts is the same to both, and counts for the
+/// first.
+pub fn counts(loops: u32, wall: u32) -> bool {
+    loops > 0 || wall < 2
 }
 
 /// Grazing curves and bifurcation curves, point by point.
@@ -208,21 +238,6 @@ fn regions_of(axes: &Axes, diagram: &Diagram) -> Vec<RegionVertex> {
     let mut rows = regions(axes, &diagram.regions);
     rows.iter_mut().filter(|row| row.loops > 0).for_each(|row| row.wall = diagram.wall);
     rows
-}
-
-/// Adds what is seen from the other of two walls: its grazing curves, and solutions that hit it. Motion
-/// without impacts is the same.
-pub fn add_other_wall(all: &mut PlaneDiagram, other: PlaneDiagram) {
-    // Grazing of either wall is a curve of one view, and bounds motion without impacts in the other.
-    let counts = |row: &PlanePoint| row.kind != Bifurcation::NonImpactingGrazing || row.wall > 0;
-    all.curves.retain(counts);
-    let arcs = all.curves.last().map_or(0, |row| row.arc + 1);
-    let own = other.curves.into_iter().filter(|row| row.wall > 0);
-    all.curves.extend(own.map(|row| PlanePoint { arc: arcs + row.arc, ..row }));
-    all.points.extend(other.points.into_iter().filter(|row| row.loops > 0));
-    let regions = all.regions.last().map_or(0, |row| row.region);
-    let own = other.regions.into_iter().filter(|row| row.loops > 0);
-    all.regions.extend(own.map(|row| RegionVertex { region: regions + row.region, ..row }));
 }
 
 /// Regions of stability, vertex by vertex.

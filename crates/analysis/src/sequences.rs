@@ -4,22 +4,60 @@ use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::Stability;
-use grazing_results::plane::{RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex};
+use grazing_results::plane::{
+    PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
+};
 use grazing_unfold::curves::DiagramCurve;
 use grazing_unfold::generations::{BaseName, LaterResonance};
 use grazing_unfold::regions::Doubt;
 use grazing_unfold::sequences::{Sequence, Sequences};
 
-/// The rows of solutions with several impacts, in these units.
-pub fn rows(found: &Sequences, units: &Units) -> SequenceDiagram {
+/// The rows of solutions with several impacts, in these units, as the wall with this number sees them, if there are two.
+pub fn rows(found: &Sequences, units: &Units, wall: u32) -> SequenceDiagram {
     let resonances = (1..).zip(&found.resonances).map(|(number, at)| resonance(number, at, units));
     let all = || found.solutions.iter();
     let curves = all().flat_map(|solutions| solutions.curves.iter().map(move |curve| (solutions, curve)));
     SequenceDiagram {
         resonances: resonances.collect(),
-        curves: (0..).zip(curves).flat_map(|(arc, (of, curve))| points(arc, of, curve, units)).collect(),
-        regions: regions(all(), units),
+        curves: (0..)
+            .zip(curves)
+            .flat_map(|(arc, (of, curve))| points(arc, (of, wall), curve, units))
+            .collect(),
+        regions: regions(all(), units, wall),
     }
+}
+
+/// The walls that the impacts of solutions hit, one after the other, as `1-2`; empty with one wall.
+pub fn walls(of: &Sequence, wall: u32) -> String {
+    let stop = |impact: usize| if of.stops.is_empty() { 0 } else { of.stops[impact % of.stops.len()] };
+    // To the second wall the first one is the other.
+    let number = |stop: usize| if wall == 2 { 2 - stop } else { 1 + stop };
+    let all = (0..of.impacts).filter(|_| wall > 0).map(|impact| number(stop(impact)).to_string());
+    all.collect::<Vec<_>>().join("-")
+}
+
+/// The curves of solutions that hit both of two walls, among those of solutions with several impacts; phases of impacts
+/// are not among the rows.
+pub fn at_both_walls(rows: &[SequencePoint]) -> Vec<PlanePoint> {
+    let both = rows.iter().filter(|row| ["1", "2"].iter().all(|wall| row.walls.contains(wall)));
+    let point = |row: &SequencePoint| PlanePoint {
+        kind: row.kind,
+        loops: row.periods,
+        wall: 0,
+        n: 0,
+        secondary: row.secondary,
+        primary: row.primary,
+        impact_velocity: row.impact_velocity,
+        impact_phase: f64::NAN,
+        trace: row.trace,
+        determinant: row.determinant,
+        max_interior_x: row.max_interior_x,
+        stable: row.stable,
+        admissible: row.admissible,
+        arc: row.arc,
+        lost: row.lost.clone(),
+    };
+    both.map(point).collect()
 }
 
 fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonance {
@@ -47,7 +85,7 @@ fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonan
 
 fn points(
     arc: u32,
-    of: &Sequence,
+    (of, wall): (&Sequence, u32),
     DiagramCurve { kind, curve, .. }: &DiagramCurve,
     units: &Units,
 ) -> Vec<SequencePoint> {
@@ -56,6 +94,7 @@ fn points(
         SequencePoint {
             impacts: of.impacts as u32,
             periods: of.periods,
+            walls: walls(of, wall),
             kind: *kind,
             secondary,
             primary,
@@ -78,7 +117,7 @@ fn points(
 }
 
 /// The regions of solutions with several impacts, vertex by vertex.
-fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units) -> Vec<SequenceVertex> {
+fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units, wall: u32) -> Vec<SequenceVertex> {
     let mut rows = Vec::new();
     let regions = all.flat_map(|solutions| solutions.regions.iter().map(move |region| (solutions, region)));
     for (number, (of, region)) in (1..).zip(regions) {
@@ -92,6 +131,7 @@ fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units) -> Vec<Se
                     kind,
                     impacts: of.impacts as u32,
                     periods: of.periods,
+                    walls: walls(of, wall),
                     secondary,
                     primary,
                     ring,

@@ -24,7 +24,7 @@ use grazing_unfold::levels::Level;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
-use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequences, sequences as found_sequences};
+use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequence, Sequences, sequences as found_sequences};
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::straightened::{StraightCurve, straighten};
 use grazing_unfold::unfinished::Unfinished;
@@ -33,7 +33,7 @@ use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 
-pub use crate::described::{Prepared, levels, prepared};
+pub use crate::described::{AtWall, Prepared, levels, prepared};
 use crate::limits::measured_doubled_grazing;
 use crate::one_parameter;
 use crate::plane::{self, Axes, own_header};
@@ -58,7 +58,8 @@ pub struct Unfolded {
     pub diagrams: Vec<OneParameter>,
     /// What is seen from the other of two walls.
     pub other: Option<Box<Unfolded>>,
-    /// Solutions with several impacts, if the file asks for more than one generation; dimensionless.
+    /// Solutions with several impacts, if the file asks for more than one generation, or there are two walls;
+    /// dimensionless.
     pub sequences: Sequences,
     /// Quantities along the grazing curves that depend on p, one p after the other, in the oscillator's
     /// own units.
@@ -70,6 +71,8 @@ pub struct Unfolded {
 pub struct AtResonance {
     /// Number of loops p.
     pub loops: u32,
+    /// The number of the wall that grazing motion touches, 1 or 2, if there are two; 0 otherwise.
+    pub wall: u32,
     /// The integer n.
     pub n: u32,
     /// Primary and secondary parameter.
@@ -84,9 +87,12 @@ pub struct AtResonance {
     pub curves: Option<Curves>,
 }
 
+/// Relative difference of resonances at like walls, which are located to some 10⁻¹⁰.
+const ALIKE: f64 = 1e-6;
+
 impl AtResonance {
-    /// A resonance in the oscillator's own units, without results for its curves.
-    pub fn new(resonance: &Resonance, units: &Units) -> Self {
+    /// A resonance in the oscillator's own units, as a wall sees it, without results for its curves.
+    pub fn new(resonance: &Resonance, wall: u32, units: &Units) -> Self {
         let Resonance { loops, n, located, theorem } = resonance;
         let (theorem, hypotheses) = match theorem {
             Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
@@ -94,6 +100,7 @@ impl AtResonance {
         };
         Self {
             loops: *loops,
+            wall,
             n: *n,
             parameters: units.parameters(located.orbit().oscillator().parameters()),
             point: located.resonant_point().in_units(units),
@@ -101,6 +108,19 @@ impl AtResonance {
             hypotheses: hypotheses.iter().map(|hypothesis| hypothesis.in_units(units)).collect(),
             curves: None,
         }
+    }
+
+    /// Whether it is the same at another wall, which is alike.
+    fn is_like(&self, other: &Self) -> bool {
+        let near = |(one, another): (f64, f64)| (one - another).abs() <= ALIKE * one.abs();
+        (self.loops, self.n) == (other.loops, other.n)
+            && self.parameters.into_iter().zip(other.parameters).all(near)
+            && near((self.point.saddle_node_coefficient(), other.point.saddle_node_coefficient()))
+    }
+
+    /// Its wall, after other words: ` at wall 2`; nothing if there is one wall.
+    pub fn at_wall(&self) -> String {
+        if self.wall == 0 { String::new() } else { format!(" at wall {}", self.wall) }
     }
 
     /// The hypotheses that fail, with their values; none if the theorem applies.
@@ -206,32 +226,37 @@ impl Unfolded {
         stop: &Stop,
         keep: Keep<'_>,
     ) -> Result<Self, UnfoldError> {
-        let Prepared { oscillator, scope, asked, axes } = of;
-        let units = axes.units;
-        let other = oscillator.other_stop().and_then(|other| {
-            // The start of the search is seen from the first wall.
-            let scope = Scope { start: None, ..scope.clone() };
-            let mut other =
-                Self::compute(&other, (&scope, Vec::new()), axes.clone(), progress, &|_| ()).ok()?;
-            other.diagram.wall = 2;
-            other.along.iter_mut().for_each(|row| row.wall = 2);
-            Some(other)
+        let (axes, units, loops) = (&of.axes, of.axes.units, of.scope.loops.clone());
+        let nothing: Keep<'_> = &|_| ();
+        let mut seen = of.from_each_wall().map(|view| {
+            let keep: Keep<'_> = if view.wall < 2 { keep } else { nothing };
+            Ok(Self::of_located(view.located(progress)?, axes.clone(), progress, keep))
         });
-        let unfolded = match (Self::compute(&oscillator, (&scope, asked), axes, progress, keep), other) {
+        let first = seen.next().ok_or(UnfoldError::NoOrbit).flatten();
+        let other = seen.next().and_then(Result::ok).filter(|other| other.diagram.nothing().is_none());
+        let rounds: Vec<u32> = (1..=loops.into_iter().max().unwrap_or_default()).collect();
+        let several = |diagram: &mut Diagram| {
+            let found = found_sequences(diagram, &rounds, description.generations(), progress);
+            if progress.stopped() && (description.generations() > 1 || diagram.wall > 0) {
+                diagram.unfinished.push(Unfinished::stage(SEQUENCES));
+            }
+            found
+        };
+        let first = first.and_then(|mut first| {
+            first.sequences = several(&mut first.diagram);
+            first.found()
+        });
+        let unfolded = match (first, other) {
             (Ok(unfolded), other) => Ok(Self { other: other.map(Box::new), ..unfolded }),
             // Only the other wall is met in the ranges.
             (Err(_), Some(other)) => Ok(other),
             (Err(error), None) => Err(error),
         };
         let mut unfolded = unfolded.map_err(|error| error.in_units(&units));
-        if let Ok(Self { diagram, diagrams, sequences, .. }) = &mut unfolded {
-            let most = scope.loops.iter().copied().max().unwrap_or_default();
-            let rounds: Vec<u32> = (1..=most).collect();
-            *sequences = found_sequences(diagram, &rounds, description.generations(), progress);
-            if progress.stopped() && description.generations() > 1 {
-                diagram.unfinished.push(Unfinished::stage(SEQUENCES));
-            }
-            let (found, unfinished) = one_parameter::diagrams(description, &diagram.curves, stop, progress);
+        if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
+            // Diagrams are seen from the first wall.
+            let curves = if diagram.wall < 2 { diagram.curves.as_slice() } else { &[] };
+            let (found, unfinished) = one_parameter::diagrams(description, curves, stop, progress);
             *diagrams = found;
             diagram.unfinished.extend(unfinished);
         }
@@ -242,6 +267,19 @@ impl Unfolded {
 }
 
 impl Unfolded {
+    /// The results, if there are any: grazing, or curves or regions of solutions that hit a wall.
+    ///
+    /// # Errors
+    /// The reason why there is no grazing.
+    fn found(self) -> Result<Self, UnfoldError> {
+        let decided = |found: &Sequence| found.regions.iter().any(|region| region.doubt.is_none());
+        let several = self.sequences.solutions.iter().any(|found| !found.curves.is_empty() || decided(found));
+        match self.diagram.nothing() {
+            Some(reason) if !several => Err(reason.clone()),
+            _ => Ok(self),
+        }
+    }
+
     /// Analyses any oscillator, given with its scope and the requested curves in the units of `axes`; the
     /// oscillator's own parameter values are not used.
     ///
@@ -255,15 +293,20 @@ impl Unfolded {
         keep: Keep<'_>,
     ) -> Result<Self, UnfoldError> {
         let located = Diagram::located(oscillator, scope, progress)?.asking_for(asked);
+        Self::of_located(located, axes, progress, keep).found()
+    }
+
+    /// The results for a diagram of which grazing curves and resonances are located, in the units of `axes`.
+    fn of_located(located: Diagram, axes: Axes, progress: &dyn Progress, keep: Keep<'_>) -> Self {
         let followed = finished::follow(&axes, &located, progress, keep);
-        let mut diagram = located.with(followed, progress).found()?;
+        let mut diagram = located.with(followed, progress);
         let units = axes.units;
         let what = "coefficients and magnifications";
         progress.begin(what, diagram.unfolding().count() as u64);
         // Each resonance is computed by itself; the results are in the order of the list, independent of
         // the threads.
         let resonances = diagram.resonances.par_iter().map(|resonance| {
-            let found = AtResonance::new(resonance, &units);
+            let found = AtResonance::new(resonance, diagram.wall, &units);
             let Ok(point) = &resonance.theorem else { return (found, None) };
             let measured = || curves_from(&diagram, resonance, point, &units);
             let mut curves = Purpose::Coefficients.during(measured);
@@ -289,12 +332,22 @@ impl Unfolded {
             diagram.unfinished.push(Unfinished::stage(ALONG));
         }
         let (diagrams, sequences, other) = Default::default();
-        Ok(Self { axes, diagram, resonances, diagrams, other, sequences, along })
+        Self { axes, diagram, resonances, diagrams, other, sequences, along }
     }
 
-    /// The resonances at which a theorem holds, with the results for their curves.
+    /// The results as each wall sees them, the first and then the other, if there are two.
+    pub fn from_each_wall(&self) -> impl Iterator<Item = &Self> {
+        [Some(self), self.other.as_deref()].into_iter().flatten()
+    }
+
+    /// The resonances at which a theorem holds, with the results for their curves, at the first wall and at the
+    /// other, if there are two. Where both are alike each resonance is one at either, and shown at the first.
     fn unfolding(&self) -> impl Iterator<Item = (&AtResonance, &Curves)> {
-        self.resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)))
+        let own = || self.resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)));
+        let others = self.other.iter().flat_map(|other| &other.resonances);
+        let others = others.filter_map(|at| Some((at, at.curves.as_ref()?)));
+        let is_new = move |(at, _): &(&AtResonance, &Curves)| !own().any(|(known, _)| at.is_like(known));
+        own().chain(others.filter(is_new))
     }
 
     /// The two-parameter diagram, with a panel for each resonance that has curves, numbered as in the
@@ -311,20 +364,18 @@ impl Unfolded {
             name: format!("diagram {}", diagram.diagram),
             thin: true,
         });
-        let mut all = PlaneDiagram {
-            several: self.sequences().regions,
-            ..plane::plane_diagram(&self.axes, &self.diagram, panels.collect(), sections.collect())
-        };
-        if let Some(other) = &self.other {
-            let other = plane::plane_diagram(&self.axes, &other.diagram, Vec::new(), Vec::new());
-            plane::add_other_wall(&mut all, other);
+        let SequenceDiagram { curves, regions: several, .. } = self.sequences();
+        let seen = (&self.diagram, self.other.as_ref().map(|other| &other.diagram));
+        PlaneDiagram {
+            several,
+            at_both_walls: sequences::at_both_walls(&curves),
+            ..plane::plane_diagram(&self.axes, seen, panels.collect(), sections.collect())
         }
-        all
     }
 
     /// The rows of solutions with several impacts.
     pub fn sequences(&self) -> SequenceDiagram {
-        sequences::rows(&self.sequences, &self.axes.units)
+        sequences::rows(&self.sequences, &self.axes.units, self.diagram.wall)
     }
 
     /// The magnifications for the panels of the diagram.
@@ -387,7 +438,8 @@ tables! {
 /// The panel that magnifies a resonance.
 fn panel_of(panel: u32, at: &AtResonance, curves: &Curves) -> MagnifiedPanel {
     let coefficients = curves.findings.map(|known| known.coefficient.theorem.value);
-    MagnifiedPanel { panel, frame: curves.window.into(), loops: at.loops, n: Some(at.n), coefficients }
+    let (loops, wall, n) = (at.loops, at.wall, Some(at.n));
+    MagnifiedPanel { panel, frame: curves.window.into(), loops, wall, n, coefficients }
 }
 
 /// Computes the results for the curves that leave a resonance.
@@ -438,8 +490,8 @@ pub fn straightened_at(
     let coefficients = coefficients_on(point, &near).map(|known| known.in_units(&axes.units).theorem.value);
     let curves = straightened(diagram, point, &near, &axes.units);
     let frame = diagram.scope.window.in_units(&axes.units).into();
-    let panel =
-        MagnifiedPanel { panel: 1, frame, loops: resonance.loops, n: Some(resonance.n), coefficients };
+    let (loops, wall, n) = (resonance.loops, diagram.wall, Some(resonance.n));
+    let panel = MagnifiedPanel { panel: 1, frame, loops, wall, n, coefficients };
     plane::straightened([(panel, curves.as_slice())])
 }
 

@@ -62,7 +62,7 @@ struct Script<'a> {
 pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
     let Export { file, at, changes, output } = arguments;
     let of = OscillatorFile::read(file, &changes.set, Limits::USUAL)?;
-    let of = of.of_one_wall("export", changes.loops.as_deref())?;
+    let of = of.looped(changes.loops.as_deref())?;
     // AUTO reads the name in quotes, and the system as that of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
     let name: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
@@ -71,18 +71,20 @@ pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
     let paths = names.map(PathBuf::from);
     let places = paths.clone();
     let limits = (Limits::USUAL, of.taken);
-    let compute = move |running: &Running<'_>| match solution(&of.description, *at, &running.stop()) {
-        Ok((solution, flight)) => Ok((of.description, solution, flight)),
-        Err(failure) => Err(running.failure(file, "nothing was written", || failure)),
+    let compute = move |running: &Running<'_>| {
+        best(&of.description, *at, &running.stop())
+            .map_err(|failure| running.failure(file, "nothing was written", || failure))
     };
-    let say = move |(description, solution, flight): (Description, Solution, String), folder: &Path| {
+    let say = move |best: Best, folder: &Path| {
+        let Best { description, wall, solution, flight } = best;
         let [velocity, phase] = impact_of(&solution);
         let contents = problem(&description, &name, *at, &solution, flight);
         let file = |(path, content): (PathBuf, String)| OutputFile { path, content: content.into_bytes() };
         let files = paths.into_iter().zip(contents).map(file).collect();
         let stability = Stability::of(solution.multipliers).name();
+        let of_wall = wall.map_or_else(String::new, |wall| format!(", at wall {wall}"));
         let remark = format!(
-            "p = {}, {stability}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
+            "p = {}{of_wall}, {stability}, impact velocity {velocity}, phase {phase}; in {}: auto {name}.auto\n",
             solution.loops,
             folder.display()
         );
@@ -123,6 +125,38 @@ fn problem(
     [rendered(&equations), flight, rendered(&constants), rendered(&script)]
 }
 
+/// The solution that is written, with the oscillator as its wall sees it.
+struct Best {
+    description: Description,
+    /// The number of the wall, where there are two.
+    wall: Option<usize>,
+    solution: Solution,
+    flight: String,
+}
+
+/// The solution at a place: a stable one at either wall comes before one that is not at the first.
+fn best(description: &Description, at: [f64; 2], stop: &Stop) -> Result<Best, Failure> {
+    let walls: Vec<Description> = description.from_each_wall().collect();
+    let count = walls.len();
+    let mut best: Option<Result<Best, Failure>> = None;
+    let rank = |found: &Result<Best, Failure>| {
+        found.as_ref().map_or(2, |best| u8::from(!best.solution.multipliers.stable()))
+    };
+    for (number, description) in (1..).zip(walls) {
+        let wall = (count > 1).then_some(number);
+        let found = solution(&description, at, stop)
+            .map(|(solution, flight)| Best { description, wall, solution, flight });
+        // What could not be looked for may be better.
+        if stop.is_asked() && found.is_err() {
+            return found;
+        }
+        if best.as_ref().is_none_or(|best| rank(&found) < rank(best)) {
+            best = Some(found);
+        }
+    }
+    best.expect("there is a wall")
+}
+
 /// Velocity and phase of the only impact of a solution.
 fn impact_of(solution: &Solution) -> [f64; 2] {
     solution.impacts.first().copied().unwrap_or([f64::NAN; 2])
@@ -138,7 +172,9 @@ fn solution(description: &Description, at: [f64; 2], stop: &Stop) -> Result<(Sol
     let starts = Starts { states: 0, ..Starts::default() };
     let found = Place::compute(&oscillator, &scope, &starts, &Silent);
     let mut solutions = found.map_or(Vec::new(), |place| place.solutions);
-    solutions.retain(|solution| solution.impacts.len() == 1 && solution.admissible);
+    solutions.retain(|solution| {
+        solution.impacts.len() == 1 && solution.admissible && !solution.stops.contains(&1)
+    });
     solutions.sort_by_key(|solution| !solution.multipliers.stable());
     let Some(mut chosen) = solutions.into_iter().next() else {
         return Err(Failure::input(format!(

@@ -124,10 +124,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<(Task, PathBuf)>, Failure>
     for file in &arguments.files {
         let (changes, limits) = (&arguments.changes, arguments.limits.over(Limits::USUAL));
         let of = OscillatorFile::read(file, &changes.set, limits)?;
-        let of = match &arguments.data {
-            Some(_) => of.of_one_wall("unfold --data", changes.loops.as_deref())?,
-            None => of.looped(changes.loops.as_deref())?,
-        };
+        let of = of.looped(changes.loops.as_deref())?;
         let named = folder::name_for(file);
         let folder = match &arguments.output {
             Some(folder) if arguments.files.len() == 1 => folder.clone(),
@@ -178,7 +175,8 @@ pub(crate) fn unfold(
     drop(analysis);
     let progress: &dyn Progress = &**running.progress();
     let compared = measured.map(|measured| {
-        let known = (&unfolded.diagram, &*unfolded.sequences.solutions);
+        let other = unfolded.other.as_ref().map(|other| &other.diagram);
+        let known = (&unfolded.diagram, other, &*unfolded.sequences.solutions);
         compare(&measured, &unfolded.axes, known, progress, &running.stop())
     });
     let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
@@ -231,11 +229,9 @@ impl Diagram {
     /// A contradiction of the theorem, or something missing.
     fn verdict(&self) -> Result<(), Failure> {
         let unfolded = &self.analysed.unfolded;
-        let other = unfolded.other.as_deref();
-        let mut seen = [Some(unfolded), other].into_iter().flatten();
-        let missing = seen.find_map(|unfolded| listing::incomplete(&unfolded.diagram));
-        let other = other.map_or(&[][..], |other| &other.resonances);
-        verdict(&self.analysed.oscillator.file, &[unfolded.resonances.as_slice(), other].concat(), missing)
+        let missing = unfolded.from_each_wall().find_map(|seen| listing::incomplete(&seen.diagram));
+        let resonances = unfolded.from_each_wall().flat_map(|seen| seen.resonances.clone());
+        verdict(&self.analysed.oscillator.file, &resonances.collect::<Vec<_>>(), missing)
     }
 }
 

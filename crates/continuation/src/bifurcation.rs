@@ -123,11 +123,13 @@ pub enum CodimensionTwo {
     PitchforkTorus,
     /// An NS and a GZ curve meet.
     TorusGrazing,
+    /// A PF and a GZ curve meet.
+    PitchforkGrazing,
 }
 
 impl CodimensionTwo {
     /// All bifurcations of codimension two.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Resonance,
         Self::SaddleNodeGrazing,
         Self::PeriodDoublingGrazing,
@@ -137,6 +139,7 @@ impl CodimensionTwo {
         Self::PeriodDoublingTorus,
         Self::PitchforkTorus,
         Self::TorusGrazing,
+        Self::PitchforkGrazing,
     ];
 
     /// The bifurcation at which two curves meet, at least one of which is a GZ or an NS curve.
@@ -149,12 +152,13 @@ impl CodimensionTwo {
             (Torus, _) | (_, Torus) => Self::TorusGrazing,
             (SaddleNode, _) | (_, SaddleNode) => Self::SaddleNodeGrazing,
             (PeriodDoubling, _) | (_, PeriodDoubling) => Self::PeriodDoublingGrazing,
+            (Pitchfork, _) | (_, Pitchfork) => Self::PitchforkGrazing,
             _ => Self::GrazingGrazing,
         }
     }
 
-    /// The name: `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS`, `PF-NS` or
-    /// `NS-GZ`.
+    /// The name: `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS`, `PF-NS`,
+    /// `NS-GZ` or `PF-GZ`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Resonance => "resonance",
@@ -166,6 +170,7 @@ impl CodimensionTwo {
             Self::PeriodDoublingTorus => "PD-NS",
             Self::PitchforkTorus => "PF-NS",
             Self::TorusGrazing => "NS-GZ",
+            Self::PitchforkGrazing => "PF-GZ",
         }
     }
 }

@@ -5,12 +5,14 @@ use std::collections::BTreeMap;
 use grazing_analysis::along::forgotten;
 use grazing_analysis::nothing::Nothing;
 use grazing_analysis::plane::{self, Axes};
+use grazing_analysis::sequences::at_both_walls;
 use grazing_analysis::unfolded::{AtResonance, Prepared};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
-use grazing_model::{AnyOscillator, ImpactOscillator};
-use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, SpecialPoint};
+use grazing_results::plane::{
+    OwnPoint, PlanePoint, RegionVertex, SequenceDiagram, SequenceVertex, SpecialPoint,
+};
 use grazing_source::Mistake;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
@@ -18,7 +20,7 @@ use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sequences::sequences;
 use grazing_unfold::units::InUnits;
-use grazing_unfold::{Diagram, Scope};
+use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -38,61 +40,43 @@ pub(crate) struct DiagramRequest {
     coarse: bool,
 }
 
-/// The diagram of a view with all its regions, which is not computed again if it was among the last.
+/// The diagram of a view with all its regions, as each wall sees it, which is not computed again if it was among the last.
 pub(crate) fn known(
     model: &Model,
     view: &View,
     events: &Events,
     stop: &Stop,
-) -> Result<(Axes, Diagram), Problem> {
+) -> Result<(Axes, Vec<Diagram>), Problem> {
     let of = model.prepared(Some(view), stop)?;
     let axes = of.axes.clone();
     if let Some(kept) = events.kept.find(model, view) {
-        return Ok((axes, Diagram { oscillator: of.oscillator, ..kept }));
+        let moving = kept.into_iter().zip(of.from_each_wall());
+        return Ok((
+            axes,
+            moving.map(|(kept, view)| Diagram { oscillator: view.oscillator, ..kept }).collect(),
+        ));
     }
-    let diagram = whole(of, events)?;
+    let seen = whole(&of, events)?;
     if stop.is_asked() {
         return Err(Problem::ended());
     }
-    events.kept.add(model, view, diagram.clone(), Sent::new());
-    Ok((axes, diagram))
+    events.kept.add(model, view, seen.clone(), Sent::new());
+    Ok((axes, seen))
 }
 
-/// The diagram with all its regions, as the first wall sees it.
-pub(crate) fn whole(of: Prepared, progress: &dyn Progress) -> Result<Diagram, Problem> {
-    let Prepared { oscillator, scope, asked, axes } = of;
-    let located = located((&oscillator, &scope), &axes, progress)?.asking_for(asked);
-    let followed = located.follow(progress, &|_, _| ());
-    Ok(located.with(followed, progress))
+/// The diagram with all its regions, as each wall sees it.
+pub(crate) fn whole(of: &Prepared, progress: &dyn Progress) -> Result<Vec<Diagram>, Problem> {
+    let seen = of.from_each_wall().map(|view| view.whole(progress)).collect::<Result<_, _>>();
+    seen.map_err(|error| problem(&of.axes, &error))
 }
 
-/// The diagram with all its regions as the other of two walls sees it, if there is one.
-pub(crate) fn whole_of_other(of: &Prepared, progress: &dyn Progress) -> Result<Option<Diagram>, Problem> {
-    let Some(located) = located_of_other(of, progress)? else { return Ok(None) };
-    let followed = located.follow(progress, &|_, _| ());
-    Ok(Some(located.with(followed, progress)))
-}
-
-/// What is located in the diagram that the other of two walls sees, if there is one.
-pub(crate) fn located_of_other(of: &Prepared, progress: &dyn Progress) -> Result<Option<Diagram>, Problem> {
-    let Some(other) = of.oscillator.other_stop() else { return Ok(None) };
-    // The start of the search is seen from the first wall.
-    let scope = Scope { start: None, ..of.scope.clone() };
-    let located = located((&other, &scope), &of.axes, progress)?;
-    Ok(Some(Diagram { wall: 2, ..located }))
+/// Why there is no diagram.
+pub(crate) fn problem(axes: &Axes, error: &UnfoldError) -> Problem {
+    Problem::wrong(error.in_units(&axes.units).to_string())
 }
 
 /// The kind of curves that a file asks for.
 pub(crate) const OWN_CURVE: &str = "own";
-
-pub(crate) fn located(
-    (oscillator, scope): (&AnyOscillator, &Scope),
-    axes: &Axes,
-    progress: &dyn Progress,
-) -> Result<Diagram, Problem> {
-    Diagram::located(oscillator, scope, progress)
-        .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))
-}
 
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let DiagramRequest { model, view, coarse } = request;
@@ -111,52 +95,49 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     if let Some(Mistake { message, .. }) = mistake {
         tell("part", json!({"view": View::of(&description), "reason": message}));
     }
-    let first = located((&of.oscillator, &of.scope), &axes, events)?.asking_for(of.asked.clone());
-    let begin = |located: &Diagram| {
+    let mut all = Shown::default();
+    let mut seen: Vec<Diagram> = Vec::new();
+    for view in of.from_each_wall() {
+        let located = view.located(events).map_err(|error| problem(&axes, &error))?;
         let rows =
-            plane::grazing_rows(&axes, located).into_iter().filter(|rows| is_shown(rows, located.wall));
+            plane::grazing_rows(&axes, &located).into_iter().filter(|rows| is_shown(rows, located.wall));
         let grazing = (0..).zip(rows).map(|(k, rows)| curve(&rows, k));
         events.send("curves", &grazing.collect::<Vec<_>>());
-    };
-    begin(&first);
-    let mut all = Shown { resonances: resonances(&axes, &first), ..Shown::default() };
-    tell("resonances", json!(all.resonances));
-    let diagram = growing(&axes, first, *coarse, events);
-    all.add(&axes, &diagram, *coarse);
-    all.tell(*coarse, &mut tell);
-    // What the other of two walls sees comes after it, and is sent together with it.
-    let other = located_of_other(&of, events)?.map(|located| {
-        begin(&located);
         all.resonances.extend(resonances(&axes, &located));
-        let other = growing(&axes, located, *coarse, events);
-        all.add(&axes, &other, *coarse);
-        other
-    });
-    if other.is_some() {
-        tell("resonances", json!(all.resonances));
+        // What the other of two walls sees comes after it, and is sent together with it.
+        if seen.is_empty() {
+            tell("resonances", json!(all.resonances));
+        }
+        let diagram = growing(&axes, located, *coarse, events);
+        all.add(&axes, &diagram, *coarse);
+        if !seen.is_empty() {
+            tell("resonances", json!(all.resonances));
+        }
         all.tell(*coarse, &mut tell);
+        seen.push(diagram);
     }
     // Curves that were sent under a wrong name, since they were mistaken for others, are not among these.
     tell("keys", all.curves.iter().chain(&all.approximations).map(|curve| curve["key"].clone()).collect());
     let secondary = description.secondary().name();
-    let seen = || [Some(&diagram), other.as_ref()].into_iter().flatten();
-    let grazing = seen().flat_map(|diagram| &diagram.grazing);
+    let grazing = seen.iter().flat_map(|diagram| &diagram.grazing);
     let forgotten = grazing.filter_map(|curve| forgotten(curve, secondary, &axes.units));
     let forgotten = forgotten.map(|words| format!("grazing curve: {words}"));
-    tell("notes", seen().flat_map(plane::lost).chain(forgotten).collect());
+    tell("notes", seen.iter().flat_map(plane::lost).chain(forgotten).collect());
     let mut shown = all.regions;
+    if !coarse && (description.generations() > 1 || description.has_two_walls()) {
+        let (regions, curves) = several(&axes, &seen[0], description.generations(), events);
+        shown.extend(regions);
+        tell("curves", json!(curves));
+        tell("regions", json!(shown));
+    }
     // Regions of stable solutions are shown all the same.
-    let empty = seen().all(|diagram| diagram.nothing().is_some());
-    if let Some(reason) = diagram.nothing().filter(|_| empty) {
+    let empty = shown.is_empty() && seen.iter().all(|diagram| diagram.nothing().is_some());
+    if let Some(reason) = seen[0].nothing().filter(|_| empty) {
         let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);
         tell("nothing", json!({"found": found, "question": question}));
     }
-    if !(*coarse || description.generations() < 2) {
-        shown.extend(several(&axes, &diagram, description.generations(), events));
-        tell("regions", json!(shown));
-    }
     if !(*coarse || stop.is_asked()) {
-        events.kept.add(model, view, diagram, sent);
+        events.kept.add(model, view, seen, sent);
     }
     Ok(())
 }
@@ -197,13 +178,12 @@ impl Shown {
                 .map(|other| json!(place::eigenvalues(&other.event.solution.multipliers))),
         );
         let rows = plane::points(axes, diagram);
-        let points = rows.iter().zip(known).filter(|(row, _)| row.loops > 0 || diagram.wall < 2);
+        let points = rows.iter().zip(known).filter(|(row, _)| plane::counts(row.loops, diagram.wall));
         self.points.extend(points.map(|(row, multipliers)| point(row, multipliers)));
         if !coarse {
             let rows = plane::regions(axes, &diagram.regions);
             let regions = rows.chunk_by(|a, b| a.region == b.region);
-            // Motion without impacts is the same to both walls.
-            let own = regions.filter(|rows| rows[0].loops > 0 || diagram.wall < 2);
+            let own = regions.filter(|rows| plane::counts(rows[0].loops, diagram.wall));
             self.regions.extend(own.map(region));
         }
         self.approximations.extend(approximations(axes, diagram));
@@ -219,15 +199,9 @@ impl Shown {
     }
 }
 
-/// Whether a curve is shown as a wall sees it: of what bounds motion without impacts the first wall shows all but grazing of the other,
-/// and the other one nothing but its own grazing.
+/// Whether a curve is shown as a wall sees it.
 fn is_shown(rows: &[PlanePoint], wall: u32) -> bool {
-    let Some(first) = rows.first() else { return false };
-    match wall {
-        0 => true,
-        1 => first.wall > 0 || first.kind != Bifurcation::NonImpactingGrazing,
-        _ => first.wall > 0,
-    }
+    rows.first().is_some_and(|first| plane::is_shown(first, wall))
 }
 
 /// The diagram of what is located, whose curves are sent as they are found; with its regions unless it is coarse.
@@ -347,30 +321,46 @@ fn region(rows: &[RegionVertex]) -> Value {
     })
 }
 
-/// The regions of solutions with several impacts, for which a file asks.
-fn several(axes: &Axes, diagram: &Diagram, generations: u32, progress: &dyn Progress) -> Vec<Value> {
+/// The regions of solutions with several impacts, and the curves of those that hit both of two walls.
+fn several(
+    axes: &Axes,
+    diagram: &Diagram,
+    generations: u32,
+    progress: &dyn Progress,
+) -> (Vec<Value>, Vec<Value>) {
     let rounds: Vec<u32> = (1..=diagram.scope.loops.iter().copied().max().unwrap_or_default()).collect();
     let found = sequences(diagram, &rounds, generations, progress);
-    let rows = grazing_analysis::sequences::rows(&found, &axes.units).regions;
+    let SequenceDiagram { regions, curves, .. } =
+        grazing_analysis::sequences::rows(&found, &axes.units, diagram.wall);
     let one = |rows: &[SequenceVertex]| {
         let rings = rows.chunk_by(|a, b| a.ring == b.ring);
         let ring =
             |ring: &[SequenceVertex]| ring.iter().map(|row| [row.primary, row.secondary]).collect::<Vec<_>>();
+        let first = &rows[0];
         json!({
-            "kind": rows[0].kind.name(),
-            "p": rows[0].periods,
-            "impacts": rows[0].impacts,
+            "kind": first.kind.name(),
+            "p": first.periods,
+            "impacts": first.impacts,
+            "walls": first.walls,
             "rings": rings.map(ring).collect::<Vec<_>>(),
-            "reason": rows[0].reason,
+            "reason": first.reason,
         })
     };
-    rows.chunk_by(|a, b| a.region == b.region).map(one).collect()
+    let both = at_both_walls(&curves);
+    let both = both.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
+        let mut found = curve(rows, rows[0].arc);
+        found["key"] =
+            json!(format!("{} {} both walls #{}", rows[0].kind.name(), rows[0].loops, rows[0].arc));
+        along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
+        found
+    });
+    (regions.chunk_by(|a, b| a.region == b.region).map(one).collect(), both.collect())
 }
 
 /// All resonances, with the coefficients that the theorem gives where it holds.
 fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let one = |resonance: &grazing_unfold::resonances::Resonance| {
-        let (at, holds) = (AtResonance::new(resonance, &axes.units), resonance.theorem.is_ok());
+        let (at, holds) = (AtResonance::new(resonance, diagram.wall, &axes.units), resonance.theorem.is_ok());
         let [primary, secondary] = at.parameters;
         let coefficient = |value| if holds { value } else { f64::NAN };
         json!({

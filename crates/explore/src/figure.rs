@@ -2,7 +2,7 @@
 
 use grazing_analysis::place::at_place;
 use grazing_analysis::plane;
-use grazing_analysis::unfolded::{Prepared, straightened_at};
+use grazing_analysis::unfolded::{AtWall, Prepared, straightened_at};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::smooth::Stop;
 use grazing_results::Names;
@@ -10,14 +10,14 @@ use grazing_results::branches::OneParameter;
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{PlaneDiagram, StraightenedCurves};
-use grazing_unfold::Diagram;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
+use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
 
 use crate::answer::Problem;
 use crate::cut::CutLine;
-use crate::diagram::{located, located_of_other, whole, whole_of_other};
+use crate::diagram::{problem, whole};
 use crate::measured::Measured;
 use crate::model::{Model, View};
 use crate::place;
@@ -109,16 +109,11 @@ impl Seen {
         let figure = match wanted {
             Wanted::Plane => {
                 let axes = of.axes.clone();
-                let other = whole_of_other(&of, progress)?;
-                let diagram = whole(of, progress)?;
+                let seen = whole(&of, progress)?;
                 let compared =
-                    measured.map(|rig| rig.beside(model, (&axes, &diagram), progress, stop)).transpose()?;
+                    measured.map(|rig| rig.beside(model, (&axes, &seen), progress, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
-                let rows = |diagram| plane::plane_diagram(&axes, diagram, Vec::new(), Vec::new());
-                let (mut all, other) = (rows(&diagram), other.as_ref().map(rows));
-                if let Some(other) = other {
-                    plane::add_other_wall(&mut all, other);
-                }
+                let mut all = plane::plane_diagram(&axes, (&seen[0], seen.get(1)), Vec::new(), Vec::new());
                 all.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
                 Figure::Plane(all, compared)
             }
@@ -142,14 +137,13 @@ impl Seen {
 
 fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<StraightenedCurves, Problem> {
     let place = of.without_dimensions(at);
-    let first = located((&of.oscillator, &of.scope), &of.axes, progress)?;
-    let seen = [Some(first), located_of_other(&of, progress)?].into_iter().flatten();
-    let seen: Vec<Diagram> = seen
-        .map(|located| {
-            let followed = located.follow(progress, &|_, _| ());
-            located.with_curves(followed)
-        })
-        .collect();
+    let followed = |view: AtWall| {
+        let located = view.located(progress)?;
+        let followed = located.follow(progress, &|_, _| ());
+        Ok(located.with_curves(followed))
+    };
+    let seen = of.from_each_wall().map(followed).collect::<Result<Vec<Diagram>, UnfoldError>>();
+    let seen = seen.map_err(|error| problem(&of.axes, &error))?;
     let window = of.scope.window;
     let far = |(_, (_, point)): &(&Diagram, (&Resonance, &ResonantGrazingPoint))| {
         let [_, _, primary, secondary] = point.unknowns().into();

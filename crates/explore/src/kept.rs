@@ -12,7 +12,7 @@ use crate::model::{Model, View};
 pub(crate) type Sent = Vec<(&'static str, Value)>;
 
 /// Diagrams by model and view, newest first, each with what was sent of it.
-type Last = VecDeque<(String, Diagram, Sent)>;
+type Last = VecDeque<(String, Vec<Diagram>, Sent)>;
 
 /// The diagrams that were asked for last, with all their regions: they are sent again at once, and measurements are
 /// compared with them.
@@ -34,9 +34,9 @@ impl Kept {
         json!([model, view]).to_string()
     }
 
-    /// The diagram of a view, if it is among the last. Its oscillator moves no more: it ended with the request that
-    /// it was computed for.
-    pub(crate) fn find(&self, model: &Model, view: &View) -> Option<Diagram> {
+    /// The diagram of a view as each wall sees it, if it is among the last. Its oscillator moves no more: it ended with the
+    /// request that it was computed for.
+    pub(crate) fn find(&self, model: &Model, view: &View) -> Option<Vec<Diagram>> {
         let key = Self::key(model, view);
         self.all().iter().find(|(other, ..)| *other == key).map(|(_, diagram, _)| diagram.clone())
     }
@@ -52,11 +52,11 @@ impl Kept {
         Some(sent)
     }
 
-    pub(crate) fn add(&self, model: &Model, view: &View, diagram: Diagram, sent: Sent) {
+    pub(crate) fn add(&self, model: &Model, view: &View, seen: Vec<Diagram>, sent: Sent) {
         let key = Self::key(model, view);
         let mut all = self.all();
         all.retain(|(other, ..)| *other != key);
-        all.push_front((key, diagram, sent));
+        all.push_front((key, seen, sent));
         all.truncate(Self::MOST);
     }
 }

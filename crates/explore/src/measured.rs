@@ -36,9 +36,6 @@ pub(crate) struct CompareRequest {
     measured: Measured,
 }
 
-/// Why measurements between two walls are not compared.
-const TWO_WALLS: &str = "there are two [[walls]], and measurements are compared with motion at one wall: describe the wall at which they were taken as [wall]";
-
 impl Measured {
     /// The measurements, and the columns that hold them.
     ///
@@ -46,9 +43,6 @@ impl Measured {
     /// The first mistake in the file.
     fn read(&self, model: &Model, stop: &Stop) -> Result<(Vec<Observation>, Vec<String>), Problem> {
         let description = model.description(None, stop)?;
-        if description.has_two_walls() {
-            return Err(Problem::wrong(TWO_WALLS));
-        }
         let own = [description.primary().name(), description.secondary().name()];
         // The paper's oscillator has other names than the text that describes it.
         let paper = Axes::of_the_paper().names;
@@ -63,18 +57,19 @@ impl Measured {
     pub(crate) fn beside(
         &self,
         model: &Model,
-        (axes, diagram): (&Axes, &Diagram),
+        (axes, diagrams): (&Axes, &[Diagram]),
         progress: &dyn Progress,
         stop: &Stop,
     ) -> Result<(Comparison, usize), Problem> {
         let (all, _) = self.read(model, stop)?;
+        let diagram = &diagrams[0];
         let window = diagram.scope.window;
         let seen = |one: &Observation| {
             let [primary, secondary] = one.at;
             window.contains([primary / axes.units.primary, secondary / axes.units.secondary])
         };
         let (inside, outside): (Vec<_>, Vec<_>) = all.into_iter().partition(seen);
-        Ok((compare(&inside, axes, (diagram, &[]), progress, stop), outside.len()))
+        Ok((compare(&inside, axes, (diagram, diagrams.get(1), &[]), progress, stop), outside.len()))
     }
 }
 
@@ -97,8 +92,8 @@ pub(crate) fn read(request: &ReadRequest, stop: &Stop) -> Result<Value, Problem>
 /// Compares measurements with the diagram of a view, which is not computed again if it was among the last.
 pub(crate) fn compute(request: &CompareRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let CompareRequest { model, view, measured } = request;
-    let (axes, diagram) = diagram::known(model, view, events, stop)?;
-    events.send("measured", &told(&measured.beside(model, (&axes, &diagram), events, stop)?));
+    let (axes, diagrams) = diagram::known(model, view, events, stop)?;
+    events.send("measured", &told(&measured.beside(model, (&axes, &diagrams), events, stop)?));
     Ok(())
 }
 

@@ -7,6 +7,8 @@ use grazing_continuation::mps::{EventTimes, PeriodicSolution, Unknowns, unknown}
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
+use grazing_unfold::diagram::DiagramCurve;
+use grazing_unfold::sequences::Sequence;
 
 use crate::read::{Observation, Seen};
 
@@ -72,8 +74,27 @@ pub struct Located {
 /// A point of a curve: the unknowns, its event times, and whether the solution is admissible.
 type Point<'a> = (Unknowns, Option<&'a EventTimes>, bool);
 
+/// A curve with its number of loops.
+type Points<'a> = (u32, Vec<Point<'a>>);
+
+/// The curves of solutions that hit both of two walls, of a kind and with a number of forcing periods; none of others.
+pub(crate) fn at_both(found: &Sequence, kind: Bifurcation, loops: Option<u32>) -> Vec<Points<'_>> {
+    let both = [0, 1].iter().all(|stop| found.stops.contains(stop));
+    found.curves.iter().filter(|_| both).filter_map(|curve| points(curve, kind, loops)).collect()
+}
+
+/// The points of a curve, if it is of this kind.
+fn points(curve: &DiagramCurve, kind: Bifurcation, loops: Option<u32>) -> Option<Points<'_>> {
+    (curve.kind == kind && loops.is_none_or(|loops| loops == curve.loops)).then_some(())?;
+    let points = curve.curve.points.iter().map(|point| {
+        let admissible = point.solution.ceiling() <= PeriodicSolution::TOUCH;
+        (point.solution.unknowns.clone(), Some(&point.times), admissible)
+    });
+    Some((curve.loops, points.collect()))
+}
+
 /// The curves of a kind, each with its number of loops.
-fn curves(diagram: &Diagram, kind: Bifurcation, loops: Option<u32>) -> Vec<(u32, Vec<Point<'_>>)> {
+pub(crate) fn curves(diagram: &Diagram, kind: Bifurcation, loops: Option<u32>) -> Vec<Points<'_>> {
     if kind == Bifurcation::NonImpactingGrazing {
         let curve = |curve: &grazing_unfold::grazing::GrazingCurve| {
             let points = curve.states.iter().map(|state| {
@@ -84,28 +105,18 @@ fn curves(diagram: &Diagram, kind: Bifurcation, loops: Option<u32>) -> Vec<(u32,
         };
         return diagram.grazing.iter().map(curve).collect();
     }
-    let wanted = diagram.curves.iter();
-    let wanted = wanted.filter(|curve| curve.kind == kind && loops.is_none_or(|loops| loops == curve.loops));
-    let all = wanted.map(|curve| {
-        let points = curve.curve.points.iter().map(|point| {
-            let admissible = point.solution.ceiling() <= PeriodicSolution::TOUCH;
-            (point.solution.unknowns.clone(), Some(&point.times), admissible)
-        });
-        (curve.loops, points.collect())
-    });
-    all.collect()
+    diagram.curves.iter().filter_map(|curve| points(curve, kind, loops)).collect()
 }
 
-/// The point nearest to `at` on the admissible parts of the curves of a kind.
-pub(crate) fn nearest(
-    diagram: &Diagram,
-    (kind, loops): (Bifurcation, Option<u32>),
+/// The point nearest to `at` on the admissible parts of curves.
+pub(crate) fn nearest<'a>(
+    curves: impl IntoIterator<Item = Points<'a>>,
     at: [f64; 2],
     metric: &Metric,
 ) -> Option<Nearest> {
     let place = |point: &Unknowns| [point[unknown::PRIMARY], point[unknown::SECONDARY]];
     let mut best: Option<Nearest> = None;
-    for (loops, points) in curves(diagram, kind, loops) {
+    for (loops, points) in curves {
         for pair in points.windows(2).filter(|pair| pair[0].2 && pair[1].2) {
             let [from, to] = [0, 1].map(|k| metric.counted(at, place(&pair[k].0)));
             let chord = [to[0] - from[0], to[1] - from[1]];
@@ -141,7 +152,8 @@ pub fn associate(
         let Seen::Bifurcation { kind, loops } = *seen else { continue };
         let [at, errors] = [at, errors].map(|place| units.without_dimensions(*place));
         let metric = Metric::new(errors, &diagram.scope.window);
-        let near = nearest(diagram, (kind, loops), at, &metric).ok_or_else(|| (*line, seen.words()))?;
+        let curves = curves(diagram, kind, loops);
+        let near = nearest(curves, at, &metric).ok_or_else(|| (*line, seen.words()))?;
         let condition = match kind {
             Bifurcation::NonImpactingGrazing => Condition::ImpactVelocity(0.0),
             other => other.condition(),

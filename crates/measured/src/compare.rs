@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grazing_analysis::plane::Axes;
+use grazing_analysis::plane::{Axes, counts};
 use grazing_continuation::mps::unknown;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
@@ -16,7 +16,7 @@ use grazing_unfold::regions::Region;
 use grazing_unfold::sequences::Sequence;
 use grazing_unfold::{Diagram, Scope};
 
-use crate::associate::{Metric, nearest};
+use crate::associate::{Metric, at_both, curves, nearest};
 use crate::read::{Observation, Seen};
 
 /// Standard errors within which measurements agree: about 95 of 100 lie there.
@@ -50,16 +50,17 @@ type Verdict = (Agreement, String);
 /// The name of the stage.
 const STAGE: &str = "comparison with measurements";
 
-/// Compares all measurements with a diagram and with regions of solutions with several impacts, if any are
-/// known; `stop` ends simulation, and the remaining measurements are undecided.
+/// Compares all measurements with a diagram, as the first wall sees it and as the other of two does, and with
+/// regions of solutions with several impacts, if any are known; `stop` ends simulation, and the remaining
+/// measurements are undecided.
 pub fn compare(
     observations: &[Observation],
     axes: &Axes,
-    (diagram, several): (&Diagram, &[Sequence]),
+    (diagram, other, several): (&Diagram, Option<&Diagram>, &[Sequence]),
     progress: &dyn Progress,
     stop: &Stop,
 ) -> Comparison {
-    let beside = Beside { axes, diagram, several, stop };
+    let beside = Beside { axes, diagram, other, several, stop };
     let point = |one: &Observation| {
         let point = beside.point(one);
         progress.step(STAGE);
@@ -118,7 +119,7 @@ pub fn apart(points: &[Observation], axes: &Axes, diagram: &Diagram, within: f64
             of.outside += 1;
             continue;
         }
-        let near = nearest(diagram, (kind, loops), at, &Metric::new([0.0; 2], window));
+        let near = nearest(curves(diagram, kind, loops), at, &Metric::new([0.0; 2], window));
         let distance = near.map_or(f64::INFINITY, |near| near.distance);
         of.points += 1;
         of.far += u32::from(distance > within);
@@ -132,14 +133,19 @@ pub fn apart(points: &[Observation], axes: &Axes, diagram: &Diagram, within: f64
 struct Beside<'a> {
     axes: &'a Axes,
     diagram: &'a Diagram,
+    other: Option<&'a Diagram>,
     several: &'a [Sequence],
     stop: &'a Stop,
 }
 
 impl Beside<'_> {
-    /// The regions that contain a place, with their numbers.
+    /// The regions that contain a place, with their numbers. Motion without impacts is the same to both walls.
     fn regions(&self, at: [f64; 2]) -> impl Iterator<Item = (u32, &Region)> {
-        (1..).zip(&self.diagram.regions).filter(move |(_, region)| region.contains(at))
+        let others = self.other.iter().flat_map(|other| &other.regions);
+        let all = self.diagram.regions.iter().map(|region| (region, true));
+        let all = all.chain(others.map(|region| (region, counts(region.loops, 2))));
+        let numbered = (1..).zip(all).filter(|(_, (_, counts))| *counts);
+        numbered.map(|(number, (region, _))| (number, region)).filter(move |(_, region)| region.contains(at))
     }
 
     /// The solutions with several impacts that are stable at a place, as far as their regions are known.
@@ -247,7 +253,10 @@ impl Beside<'_> {
             return (Agreement::Silent, String::new());
         };
         let metric = Metric::new(self.axes.units.without_dimensions(one.errors), &self.diagram.scope.window);
-        let Some(near) = nearest(self.diagram, (kind, loops), at, &metric) else {
+        let seen = [self.diagram].into_iter().chain(self.other);
+        let curves = seen.flat_map(|diagram| curves(diagram, kind, loops));
+        let curves = curves.chain(self.several.iter().flat_map(|found| at_both(found, kind, loops)));
+        let Some(near) = nearest(curves, at, &metric) else {
             let asked = loops.is_none_or(|loops| loops == 0 || self.diagram.scope.loops.contains(&loops));
             let verdict = if asked { Agreement::Disagrees } else { Agreement::Silent };
             return (verdict, format!("there is no curve of {}", one.seen.words()));

@@ -85,6 +85,11 @@ impl OscillatorEntry {
         identifier("oscillator", &self.id)
     }
 
+    /// The oscillator as the second of two walls sees it, if there is one.
+    pub(crate) fn second_wall(&self) -> Option<Description> {
+        self.description.from_each_wall().nth(1)
+    }
+
     /// The unit of a column in parentheses, after its heading.
     pub(crate) fn unit(&self, column: Column) -> Html {
         Safe(in_parentheses(&column.unit(&axes(&self.description).names)))

@@ -58,7 +58,7 @@ impl Study {
         let panels = (1..).zip(resonances.iter().zip(&all)).map(|(panel, ((found, _), (known, curves)))| {
             let (frame, loops, n) = (diagram.scope.window.into(), found.loops, Some(found.n));
             let coefficients = *known;
-            (MagnifiedPanel { panel, frame, loops, n, coefficients }, curves.as_slice())
+            (MagnifiedPanel { panel, frame, loops, wall: 0, n, coefficients }, curves.as_slice())
         });
         Ok(plane::straightened(panels))
     }

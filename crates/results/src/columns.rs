@@ -96,10 +96,10 @@ columns! {
 // Two-parameter diagrams.
 columns! {
     /// `graz`: grazing of the non-impacting solution; `SN`, `PD`, `GZ`, `NS`: saddle-node, period-doubling, grazing, torus (Neimark-Sacker) bifurcation of the p-loop
-    /// solution; for p = 0, SN, PD and NS are bifurcations of the non-impacting solution. A GZ curve of solutions that are unstable on both sides bounds no region
+    /// solution; `PF`: pitchfork, where motion loses its symmetry; for p = 0, SN, PD, NS and PF are bifurcations of the non-impacting solution. A GZ curve of solutions that are unstable on both sides bounds no region
     /// and is followed only where another curve leads to it
     BIFURCATION = "kind", "", "1";
-    /// `resonance`; `SN-GZ`, `PD-GZ`, `GZ-GZ`, `NS-GZ`, `SN-NS` or `PD-NS`, named after the curves that meet; or `cusp`, where an SN curve turns back
+    /// `resonance`; `SN-GZ`, `PD-GZ`, `GZ-GZ`, `NS-GZ`, `PF-GZ`, `SN-NS` or `PD-NS`, named after the curves that meet; or `cusp`, where an SN curve turns back
     CODIMENSION_TWO = "kind", "", "1";
     /// `non-impacting`: the non-impacting solution is stable and admissible; `mps`: a p-loop MPS is; `both`: both are; `several-impacts`: a solution with several impacts is; `undecided`: this could not be decided
     REGION_KIND = "kind", "", "1";

@@ -71,6 +71,7 @@ of_members! {
     /// A resonance of a member.
     Resonance {
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         curve: u32 = FAMILY_CURVE,
         found_by: FoundBy = FOUND_BY,
@@ -104,6 +105,7 @@ of_members! {
     Point {
         kind: CodimensionTwo = CODIMENSION_TWO,
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -113,6 +115,7 @@ of_members! {
     /// A resonance on its curve between one member and the next.
     CurvePoint {
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         curve: u32 = FAMILY_CURVE,
         arc: u32 = ARC,
@@ -128,6 +131,7 @@ of_members! {
     /// A degenerate resonance between two members.
     Degenerate {
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         curve: u32 = FAMILY_CURVE,
         quantity: String = DEGENERATE_QUANTITY,

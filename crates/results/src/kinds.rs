@@ -191,6 +191,7 @@ pub const fn point_meaning(kind: CodimensionTwo) -> &'static str {
         CodimensionTwo::PeriodDoublingTorus => "period-doubling and torus: both multipliers are -1",
         CodimensionTwo::PitchforkTorus => "pitchfork and torus: both multipliers are 1",
         CodimensionTwo::TorusGrazing => "torus and grazing",
+        CodimensionTwo::PitchforkGrazing => "pitchfork and grazing",
     }
 }
 

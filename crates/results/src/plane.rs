@@ -126,6 +126,7 @@ rows! {
     SequencePoint {
         impacts: u32 = LATER_IMPACTS,
         periods: u32 = LATER_PERIODS,
+        walls: String = LATER_WALLS,
         kind: Bifurcation = BIFURCATION,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -145,6 +146,7 @@ rows! {
         kind: RegionKind = REGION_KIND,
         impacts: u32 = LATER_IMPACTS,
         periods: u32 = LATER_PERIODS,
+        walls: String = LATER_WALLS,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
         ring: u32 = RING,
@@ -175,6 +177,7 @@ impl PlaneDiagram {
         self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.own.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         self.several.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.at_both_walls.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
         for row in &mut self.measured {
             swap(&mut row.primary, &mut row.secondary);
             swap(&mut row.primary_error, &mut row.secondary_error);
@@ -222,6 +225,8 @@ pub struct MagnifiedPanel {
     pub frame: Frame,
     /// The number of loops p of the resonance that the panel is about.
     pub loops: u32,
+    /// The wall that the motion grazes there, if there are two; 0 otherwise.
+    pub wall: u32,
     /// The integer n of that resonance, if it is to be written.
     pub n: Option<u32>,
     /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN is not
@@ -262,6 +267,8 @@ tables! {
         measured: Vec<MeasuredPoint>,
         /// Regions of solutions with several impacts.
         several: Vec<SequenceVertex>,
+        /// Curves of solutions that hit both of two walls.
+        at_both_walls: Vec<PlanePoint>,
     }
 
     /// Solutions with several impacts.

@@ -5,6 +5,10 @@
 //! branches and curves are followed, and regions decided, as those of MPSs are; but no lattice is searched,
 //! so that a region to which neither leads is not known. A region of K impacts that begins at the period
 //! doublings of K/2 is bounded by these.
+//!
+//! Between two walls, solutions that hit each of them once in p forcing periods are among these, in every
+//! generation: what MPSs are to one wall they are to two. Those that are their own mirror images and those that
+//! are not are one surface, which branches at pitchforks.
 
 use std::collections::BTreeMap;
 
@@ -24,17 +28,19 @@ use crate::long_time::{Horizon, LongOrbit, random_start};
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::Unlocated;
-use crate::settled;
+use crate::settled::{self, Kind};
 use crate::survey::Survey;
 
-/// The solutions with K impacts in P forcing periods.
+/// The solutions with K impacts in P forcing periods, at the same stops in the same order.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     /// The number of impacts K.
     pub impacts: usize,
     /// The number of forcing periods P.
     pub periods: u32,
-    /// Their SN, PD, NS and GZ curves.
+    /// The stops that impacts hit, in their order, over and over; none if all are at x = 0.
+    pub stops: Vec<usize>,
+    /// Their SN, PD, NS, PF and GZ curves.
     pub curves: Vec<DiagramCurve>,
     /// The codimension-two points at which these meet.
     pub codimension_two: Vec<CodimensionTwoPoint>,
@@ -57,17 +63,34 @@ pub struct Sequences {
 const SIMULATED: &str = "motion with several impacts";
 /// The stage in which curves and regions are found.
 pub const REGIONS: &str = "regions of solutions with several impacts";
-/// Numbers of parts into which the ranges of η and μ are divided by the places of simulated motion.
-const ROWS: u32 = 32;
-const COLUMNS: u32 = 64;
 /// Number of random initial states at a place; motion from the place beside it is followed as well.
 const STARTS: u64 = 2;
-/// The seed of the random states, the lowest of them, and the time for which they are followed.
+/// The seed of the random states, and the lowest of them.
 const SEED: u128 = 1;
 const LOWEST: f64 = -2.0;
-const HORIZON: Horizon = Horizon::drifting(64, 24);
 
-/// What is known of the solutions with so many impacts in so many periods before their branches are followed.
+/// Where motion is simulated, and for how long.
+struct Places {
+    /// Numbers of parts into which the ranges of η and μ are divided.
+    rows: u32,
+    columns: u32,
+    horizon: Horizon,
+}
+
+impl Places {
+    /// Solutions with several impacts may be stable in slivers.
+    const SEVERAL: Self = Self { rows: 32, columns: 64, horizon: Horizon::drifting(64, 24) };
+    /// Those with one impact at each of two walls are a few surfaces, along which they are followed from any of their points
+    /// that motion comes near.
+    const ONCE_AT_EACH: Self = Self { rows: 16, columns: 32, horizon: Horizon::drifting(16, 8) };
+
+    /// The value of η of a row.
+    fn level(&self, window: Window, row: u32) -> f64 {
+        window.parameters([0.0, f64::from(row) / f64::from(self.rows)])[1]
+    }
+}
+
+/// What is known of the solutions with so many impacts of a kind before their branches are followed.
 #[derive(Clone, Default)]
 struct Leads {
     /// Curves that leave resonances.
@@ -76,36 +99,43 @@ struct Leads {
     seen: Vec<Unknowns>,
 }
 
-/// Numbers of impacts and of forcing periods, in the order in which solutions branch off each other.
-type Numbers = (usize, u32);
+/// The number of impacts and the kind, in the order in which solutions branch off each other.
+type Numbers = (usize, Kind);
 
 /// The solutions with several impacts up to a generation, the MPSs being the first: solutions of the next
 /// leave the resonances on curves at which those of the one before graze, with one impact more than so many
 /// `rounds` of the grazing motion. Solutions on which simulated motion settles are added if they have no more
 /// impacts and forcing periods than these can have, but not solutions with two impacts that branch off MPSs
-/// whose number of loops the diagram does not have. Empty for the first generation.
+/// whose number of loops the diagram does not have. With one wall, empty for the first generation; between two,
+/// solutions with one impact at each in the diagram's numbers of loops.
 pub fn sequences(diagram: &Diagram, rounds: &[u32], generations: u32, progress: &dyn Progress) -> Sequences {
     let mut found = Sequences::default();
     let (most_rounds, most_loops) = (largest(rounds), largest(&diagram.scope.loops));
-    if generations < 2 || most_rounds == 0 {
+    let between_walls = diagram.oscillator.other_stop().is_some();
+    if generations < 2 && !between_walls || most_rounds == 0 {
         return found;
     }
-    let levels: Vec<f64> = (0..=ROWS).map(|k| level(diagram.scope.window, k)).collect();
+    let places = if generations < 2 { Places::ONCE_AT_EACH } else { Places::SEVERAL };
+    let levels: Vec<f64> = (0..=places.rows).map(|row| places.level(diagram.scope.window, row)).collect();
     let most = (1..generations).fold((1, most_loops), |(impacts, periods), _| {
         (most_rounds as usize * impacts + 1, most_rounds * periods)
     });
     let mut leads: BTreeMap<Numbers, Leads> = BTreeMap::new();
-    for (numbers, solution) in simulated(diagram, &levels, progress) {
-        if numbers.0 <= most.0 && numbers.1 <= most.1 && bounds_are_known(diagram, numbers) {
+    for (numbers, solution) in simulated(diagram, (&places, &levels), progress) {
+        if is_sought(diagram, most, &numbers) {
             leads.entry(numbers).or_default().seen.push(solution);
         }
     }
     let scope = Scope { loops: rounds.to_vec(), ..diagram.scope.clone() };
+    if generations < 2 {
+        found.solutions = decided(diagram, &leads, &levels, progress);
+        return found;
+    }
     let mut grazing = bases(diagram);
     for _ in 1..generations {
         let Later { resonances, unlocated } = later(diagram, &grazing, &scope, progress);
         for resonance in &resonances {
-            let numbers = (resonance.impacts(), resonance.periods());
+            let numbers = (resonance.impacts(), (resonance.periods(), Vec::new()));
             leads.entry(numbers).or_default().curves.extend(leaving(resonance));
         }
         found.resonances.extend(resonances);
@@ -116,20 +146,23 @@ pub fn sequences(diagram: &Diagram, rounds: &[u32], generations: u32, progress: 
     found
 }
 
-/// Whether the curves are known at which solutions branch off those of half the time: MPSs have them if the
-/// diagram has their p.
-fn bounds_are_known(diagram: &Diagram, (impacts, periods): Numbers) -> bool {
-    impacts != 2 || !periods.is_multiple_of(2) || diagram.scope.loops.contains(&(periods / 2))
+/// Whether solutions have no more impacts at a wall, and no more forcing periods, than is asked for, and the curves
+/// are known at which some branch off those of half the time: MPSs, and solutions that hit each of two walls once,
+/// have them if the diagram has their p.
+fn is_sought(diagram: &Diagram, most: (usize, u32), (impacts, (periods, stops)): &Numbers) -> bool {
+    let loops = &diagram.scope.loops;
+    let at = |stop: usize| (0..*impacts).filter(|impact| stops[impact % stops.len()] == stop).count();
+    let at_one = if stops.is_empty() { *impacts } else { at(0).max(at(1)) };
+    let doubled = at_one == 2 && periods.is_multiple_of(2);
+    at_one <= most.0
+        && *periods <= most.1
+        && (at_one > 1 || loops.contains(periods))
+        && (!doubled || loops.contains(&(periods / 2)))
 }
 
 /// The largest of some numbers, or 0.
 fn largest(numbers: &[u32]) -> u32 {
     numbers.iter().copied().max().unwrap_or(0)
-}
-
-/// The value of η of a row of places.
-fn level(window: Window, row: u32) -> f64 {
-    window.parameters([0.0, f64::from(row) / f64::from(ROWS)])[1]
 }
 
 /// The curves that leave a resonance.
@@ -160,7 +193,7 @@ fn decided(
     progress.begin(REGIONS, all.len() as u64);
     let mut found: Vec<Sequence> = Vec::new();
     for same in all.chunk_by(|a, b| a.0.0 == b.0.0) {
-        let more = same.par_iter().map(|&(&numbers, leads)| {
+        let more = same.par_iter().map(|&(numbers, leads)| {
             let halved = halved(diagram, &found, numbers);
             let solutions = of_numbers(diagram, numbers, leads, levels, halved, progress);
             progress.step(REGIONS);
@@ -177,47 +210,55 @@ fn decided(
 fn halved<'a>(
     diagram: &'a Diagram,
     known: &'a [Sequence],
-    (impacts, periods): Numbers,
+    (impacts, (periods, stops)): &Numbers,
 ) -> Option<(LoopEquations, Vec<DiagramCurve>)> {
     (impacts.is_multiple_of(2) && periods.is_multiple_of(2)).then_some(())?;
     let (impacts, periods) = (impacts / 2, periods / 2);
+    impacts.is_multiple_of(stops.len().max(1)).then_some(())?;
     let of_half = |curve: &&DiagramCurve| curve.loops == periods;
     let curves = match impacts {
-        1 => diagram.curves.iter().filter(of_half).cloned().collect(),
+        1 if stops.is_empty() => diagram.curves.iter().filter(of_half).cloned().collect(),
         _ => {
-            let half = known.iter().find(|known| (known.impacts, known.periods) == (impacts, periods));
+            let half = known
+                .iter()
+                .find(|known| (known.impacts, known.periods, &known.stops) == (impacts, periods, stops));
             half.map_or_else(Vec::new, |half| half.curves.clone())
         }
     };
-    Some((diagram.equations(periods), curves))
+    Some((settled::equations(&diagram.oscillator, &(periods, stops.clone())), curves))
 }
 
-/// Curves and regions of the solutions with so many impacts in so many periods.
+/// Curves and regions of the solutions with so many impacts of a kind.
 fn of_numbers(
     diagram: &Diagram,
-    (impacts, periods): Numbers,
+    (impacts, kind): &Numbers,
     leads: &Leads,
     levels: &[f64],
     halved: Option<(LoopEquations, Vec<DiagramCurve>)>,
     progress: &dyn Progress,
 ) -> Sequence {
     let scope = &diagram.scope;
-    let mut net = Net::new(diagram.equations(periods));
+    let mut net = Net::new(settled::equations(&diagram.oscillator, kind));
     leads.curves.iter().for_each(|curve| net.add(curve.clone()));
     Purpose::Curves.during(|| net.grow(&drawn(scope.window)));
     let halved = halved.as_ref().map(|(equations, curves)| (equations.clone(), curves.as_slice()));
     let mut survey = Survey::of_several(&mut net, scope, leads.seen.clone(), halved);
     let regions = regions::decided(scope.window, &mut survey, levels, progress);
+    let (periods, stops) = kind.clone();
     let regions = regions.unwrap_or_else(|| vec![Region::not_finished(scope.window, periods)]);
     let Net { curves, meetings, .. } = net;
-    Sequence { impacts, periods, curves, codimension_two: meetings, regions }
+    Sequence { impacts: *impacts, periods, stops, curves, codimension_two: meetings, regions }
 }
 
 /// The solutions with several impacts on which simulated motion settles, row by row.
-fn simulated(diagram: &Diagram, levels: &[f64], progress: &dyn Progress) -> Vec<(Numbers, Unknowns)> {
+fn simulated(
+    diagram: &Diagram,
+    (places, levels): (&Places, &[f64]),
+    progress: &dyn Progress,
+) -> Vec<(Numbers, Unknowns)> {
     progress.begin(SIMULATED, levels.len() as u64);
     let row = |level: &f64| {
-        let found = along_row(diagram, *level, progress);
+        let found = along_row(diagram, (places, *level), progress);
         progress.step(SIMULATED);
         found
     };
@@ -227,28 +268,32 @@ fn simulated(diagram: &Diagram, levels: &[f64], progress: &dyn Progress) -> Vec<
 }
 
 /// The solutions with several impacts on which motion settles at the places of one row.
-fn along_row(diagram: &Diagram, level: f64, progress: &dyn Progress) -> Vec<(Numbers, Unknowns)> {
+fn along_row(
+    diagram: &Diagram,
+    (places, level): (&Places, f64),
+    progress: &dyn Progress,
+) -> Vec<(Numbers, Unknowns)> {
     let mut found = Vec::new();
     let mut beside: Vec<State> = Vec::new();
-    for column in (0..=COLUMNS).take_while(|_| !progress.stopped()) {
-        let [primary, _] = diagram.scope.window.parameters([f64::from(column) / f64::from(COLUMNS), 0.0]);
+    for column in (0..=places.columns).take_while(|_| !progress.stopped()) {
+        let share = f64::from(column) / f64::from(places.columns);
+        let [primary, _] = diagram.scope.window.parameters([share, 0.0]);
         let here = diagram.oscillator.with_parameters([primary, level]);
         let mut random = Pcg64::new(SEED, u128::from(column));
         let fresh = (0..STARTS).map(|_| random_start(&here, LOWEST, &mut random));
         let starts: Vec<State> = beside.drain(..).chain(fresh).collect();
         for from in starts {
-            let orbit = LongOrbit::follow(&here, from, HORIZON);
+            let orbit = LongOrbit::follow(&here, from, places.horizon);
             let Some(cycle) = orbit.cycle.filter(|cycle| cycle.impacts > 0) else { continue };
             if beside.is_empty() {
                 beside.push(cycle.from);
             }
             if cycle.impacts > 1
-                && let Some(((periods, stops), near)) = settled::near(&here, &orbit)
-                && stops.is_empty()
+                && let Some((kind, near)) = settled::near(&here, &orbit)
                 && let Some(solution) =
-                    settled::solution(&diagram.equations(periods), &near, here.parameters())
+                    settled::solution(&settled::equations(&here, &kind), &near, here.parameters())
             {
-                found.push(((cycle.impacts, periods), solution));
+                found.push(((cycle.impacts, kind), solution));
             }
         }
     }

@@ -52,7 +52,14 @@ pub(crate) fn near(oscillator: &AnyOscillator, orbit: &LongOrbit) -> Option<Recu
     // Of the ways to number the impacts, that whose stops come first in the order of words.
     let numbered = |first: usize| [&stops[first..], &stops[..first]].concat();
     let first = (0..stops.len()).min_by_key(|first| numbered(*first)).unwrap_or(0);
-    Some(((cycle.periods, numbered(first)), all.beginning_with(first, cycle.periods)))
+    let mut over_and_over = numbered(first);
+    let recurs = |count: &usize| {
+        over_and_over.len().is_multiple_of(*count)
+            && over_and_over.iter().zip(&over_and_over[*count..]).all(|(stop, later)| stop == later)
+    };
+    let count = (1..over_and_over.len()).find(recurs).unwrap_or(over_and_over.len());
+    over_and_over.truncate(count);
+    Some(((cycle.periods, over_and_over), all.beginning_with(first, cycle.periods)))
 }
 
 /// The solution beside a point at the oscillator's own parameters.

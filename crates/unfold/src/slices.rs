@@ -93,7 +93,9 @@ const ROUGHLY_SEEN: f64 = 1e-3;
 /// changes of the highest point (empirical).
 pub(crate) const FREE_STEPS: StepControl = StepControl { turn: 0.2, ..precise(STEPS) };
 
-const fn precise(control: StepControl) -> StepControl {
+/// The steps with points that have all their digits: only then it is known of a solution that it is its own mirror
+/// image.
+pub(crate) const fn precise(control: StepControl) -> StepControl {
     StepControl { tolerance: StepControl::DRAWING.tolerance, ..control }
 }
 

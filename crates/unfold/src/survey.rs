@@ -28,7 +28,7 @@ use crate::outside;
 use crate::progress::Progress;
 use crate::region::Doubt;
 use crate::sight::Sight;
-use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, spread, steps};
+use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, precise, spread, steps};
 use crate::stretches::{broken_at, stretches};
 use crate::tolerances::CLEAR;
 
@@ -50,6 +50,8 @@ pub(crate) struct Survey<'a> {
     columns: Vec<Curve>,
     /// Whether columns have been followed.
     crossed: bool,
+    /// Whether solutions may have mirror images, whose curves lie on theirs in the plane.
+    images: bool,
     /// MPSs on the first slices to which no known curve may lead.
     found: Vec<Unknowns>,
     /// Bifurcations on curves that enter the window from resonances outside, until they have been looked at.
@@ -79,7 +81,12 @@ impl<'a> Survey<'a> {
         found: Vec<Unknowns>,
     ) -> Self {
         let has_impacts = net.equations.has_impacts();
-        let control = if has_impacts { steps(scope.window) } else { FREE_STEPS };
+        let images = !has_impacts || found.iter().any(|like| net.equations.have_images(like));
+        let control = match (has_impacts, images) {
+            (true, false) => steps(scope.window),
+            (true, true) => precise(steps(scope.window)),
+            (false, _) => FREE_STEPS,
+        };
         // Without impacts curves continue beyond the wall.
         let route = route(scope.window, StepControl::DRAWING);
         let pace: Option<&'static Pace<'static>> = if has_impacts { None } else { Some(&in_sight) };
@@ -98,6 +105,7 @@ impl<'a> Survey<'a> {
             slices: Vec::new(),
             columns: Vec::new(),
             crossed: false,
+            images,
             found,
             entering: Vec::new(),
             vertices: Vertices::default(),

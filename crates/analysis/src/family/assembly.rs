@@ -81,7 +81,7 @@ fn joins(plan: &Plan, widths: [f64; 2], records: &mut [Option<Record>]) -> Vec<[
 }
 
 fn same(known: &Resonance, found: &Resonance, [primary, secondary]: [f64; 2]) -> bool {
-    known.loops == found.loops
+    (known.loops, known.wall) == (found.loops, found.wall)
         && (known.primary - found.primary).abs() < SAME * primary
         && (known.secondary - found.secondary).abs() < SAME * secondary
         && libm::remainder(known.phase - found.phase, TAU).abs() < SAME

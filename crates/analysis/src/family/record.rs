@@ -10,17 +10,17 @@ use grazing_results::VARIED;
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
-use grazing_unfold::Diagram;
 use grazing_unfold::diagram::CodimensionTwoPoint;
 use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
 use grazing_unfold::resonances;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::coefficients;
+use grazing_unfold::{Diagram, UnfoldError};
 use serde::{Deserialize, Serialize};
 
 use super::{Plan, Tell};
 use crate::plane::lost;
-use crate::unfolded::{self, slopes};
+use crate::unfolded::{self, Prepared, slopes};
 
 /// The results for a member of a family: its own rows, and its resonances followed towards its
 /// neighbours. Curves and arcs are numbered when all records are available.
@@ -76,42 +76,55 @@ impl Record {
         }
         let units = description.units();
         let values = plan.values(index);
-        let rows = Rows { units, varied: padded(&values), first: VARIED - values.len() };
-        let (oscillator, scope) = unfolded::prepared(description, &units, stop);
-        let member = Member { varied: rows.varied, resonances: 0, points: 0, missing: String::new() };
+        let prepared = |description: &Description| {
+            let (oscillator, scope) = unfolded::prepared(description, &units, stop);
+            Prepared { oscillator, scope, asked: Vec::new(), axes: unfolded::axes(description) }
+        };
+        let here = prepared(description);
+        let varied = padded(&values);
+        let member = Member { varied, resonances: 0, points: 0, missing: String::new() };
         let (resonances, points, ways) = (Vec::new(), Vec::new(), Vec::new());
         let mut record = Self { index, member, incomplete: false, resonances, points, ways };
-        let diagram = match Diagram::located(&oscillator, &scope, stop).and_then(Diagram::with_grazing) {
-            Ok(located) => {
-                let followed = located.follow(stop, &|_, _| ());
-                located.with_curves(followed)
+        let (mut missing, mut nothing): (Vec<String>, Option<UnfoldError>) = (Vec::new(), None);
+        for (order, view) in here.from_each_wall().enumerate() {
+            let rows = Rows { units, varied, first: VARIED - values.len(), wall: view.wall };
+            let located = match view.located(stop).and_then(Diagram::with_grazing) {
+                Ok(located) => located,
+                Err(error) => {
+                    nothing.get_or_insert(error);
+                    continue;
+                }
+            };
+            let followed = located.follow(stop, &|_, _| ());
+            let diagram = located.with_curves(followed);
+            missing.extend(lost(&diagram));
+            let (place, along) = (index % plan.line(), &plan.varied[0]);
+            let after = along.values.get(place + 1);
+            let before = place.checked_sub(1).map(|before| &along.values[before]);
+            let first = record.resonances.len();
+            for (neighbour, onwards) in [(after, true), (before, false)] {
+                let Some(&neighbour) = neighbour else { continue };
+                let at = |way: f64| {
+                    let value = values[0] + (neighbour - values[0]) * way;
+                    let there = prepared(&description.with_constant(&along.name, value).ok()?);
+                    there.from_each_wall().nth(order).map(|view| view.oscillator)
+                };
+                let arcs = arcs(&diagram, &at);
+                // The path back to the previous member is stored as that member's path to this one.
+                let kept = arcs.iter().filter(|arc| onwards || arc.end != ArcEnd::Across);
+                record.ways.extend(kept.map(|arc| rows.way(&diagram, arc, neighbour).after(first)));
             }
-            Err(error) => {
-                record.member.missing = tell(description, &error.in_units(&units));
-                return (!stop.is_asked()).then_some(record);
-            }
-        };
-        let mut missing: Vec<String> = lost(&diagram).collect();
+            record.resonances.extend(diagram.resonances.iter().map(|resonance| rows.resonance(resonance)));
+            record.points.extend(rows.points(&diagram));
+            nothing = None;
+        }
+        if let Some(error) = nothing.filter(|_| record.resonances.is_empty() && missing.is_empty()) {
+            record.member.missing = tell(description, &error.in_units(&units));
+            return (!stop.is_asked()).then_some(record);
+        }
         missing.dedup();
         record.incomplete = !missing.is_empty();
         record.member.missing = missing.join("; ");
-        let (place, along) = (index % plan.line(), &plan.varied[0]);
-        let after = along.values.get(place + 1);
-        let before = place.checked_sub(1).map(|before| &along.values[before]);
-        for (neighbour, onwards) in [(after, true), (before, false)] {
-            let Some(&neighbour) = neighbour else { continue };
-            let at = |way: f64| {
-                let value = values[0] + (neighbour - values[0]) * way;
-                let there = description.with_constant(&along.name, value).ok()?;
-                Some(unfolded::prepared(&there, &units, stop).0)
-            };
-            let arcs = arcs(&diagram, &at);
-            // The path back to the previous member is stored as that member's path to this one.
-            let kept = arcs.iter().filter(|arc| onwards || arc.end != ArcEnd::Across);
-            record.ways.extend(kept.map(|arc| rows.way(&diagram, arc, neighbour)));
-        }
-        record.resonances = diagram.resonances.iter().map(|resonance| rows.resonance(resonance)).collect();
-        record.points = rows.points(&diagram);
         (!stop.is_asked()).then_some(record)
     }
 
@@ -160,9 +173,22 @@ fn padded(values: &[f64]) -> [f64; VARIED] {
     padded
 }
 
+impl Way {
+    /// The path in a list of resonances in which so many others come first.
+    fn after(self, others: usize) -> Self {
+        let to = match self.to {
+            Destination::Back(to) => Destination::Back(others + to),
+            to => to,
+        };
+        Self { from: others + self.from, to, ..self }
+    }
+}
+
 /// Converts dimensionless results for a member into rows.
 struct Rows {
     units: Units,
+    /// The wall that sees them, if there are two.
+    wall: u32,
     varied: [f64; VARIED],
     /// The column of the constant that varies first.
     first: usize,
@@ -211,6 +237,7 @@ impl Rows {
         Resonance {
             varied,
             loops: point.loops(),
+            wall: self.wall,
             n,
             curve: 0,
             found_by,
@@ -242,13 +269,13 @@ impl Rows {
     }
 
     fn points(&self, diagram: &Diagram) -> Vec<Point> {
-        let varied = self.varied;
+        let Self { varied, wall, .. } = *self;
         let point = |point: &CodimensionTwoPoint| {
             let at = point.unknowns();
             let [primary, secondary] = self.units.parameters([at[unknown::PRIMARY], at[unknown::SECONDARY]]);
             let impact_velocity = at[unknown::VELOCITY] * self.units.velocity();
             let (kind, loops, n) = (point.kind, point.loops, point.n);
-            Point { varied, kind, loops, n, secondary, primary, impact_velocity }
+            Point { varied, kind, loops, wall, n, secondary, primary, impact_velocity }
         };
         diagram.codimension_two.iter().map(point).collect()
     }
@@ -281,6 +308,7 @@ impl Rows {
             CurvePoint {
                 varied,
                 loops,
+                wall: self.wall,
                 n,
                 curve: 0,
                 arc: 0,
@@ -306,8 +334,8 @@ impl Rows {
             let zero = at.zero?;
             let [primary, secondary] = self.units.parameters(parameters(at));
             let varied = varied(at.way);
-            let (quantity, meaning, curve) = (zero.to_string(), meaning(zero), 0);
-            Some(Degenerate { varied, loops, n, curve, quantity, meaning, secondary, primary })
+            let (quantity, meaning, curve, wall) = (zero.to_string(), meaning(zero), 0, self.wall);
+            Some(Degenerate { varied, loops, wall, n, curve, quantity, meaning, secondary, primary })
         });
         let to = match (&arc.end, arc.points.last()) {
             (ArcEnd::Across, Some(last)) => {

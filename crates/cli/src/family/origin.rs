@@ -51,8 +51,6 @@ impl Origin {
         });
         let settings = given.chain(varied).collect::<Result<Vec<_>, Failure>>()?;
         let description = Description::parse_with(&Text::new(&self.text, &settings), &self.file, stop)?;
-        let instead = "unfold it once for each value, with --set and an --output of its own";
-        oscillator::with_one_wall(Path::new(&self.file), &description, "unfold --vary", instead)?;
         oscillator::with_loops(description, self.loops.as_deref())
     }
 

@@ -8,11 +8,13 @@ use std::path::Path;
 
 use grazing_analysis::along::{along_curve, forgotten};
 use grazing_analysis::nothing::place;
+use grazing_analysis::sequences::walls;
 use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_description::{Axis, Description};
 use grazing_results::{Stability, brief, span, with_unit};
+use grazing_unfold::Diagram;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::resonances;
 use grazing_unfold::sequences::Sequence;
@@ -303,23 +305,34 @@ fn corners(layout: Layout, description: &Description, unfolded: &Analysis) -> St
     format!("\nCodimension-two points on these curves\n{table}")
 }
 
-/// The solutions with several impacts, each with the part of the window in which they are stable.
+/// The solutions with several impacts, each with the part of the window in which they are stable; between two walls with
+/// those that they hit, and their curves.
 fn several_impacts(layout: Layout, unfolded: &Analysis) -> String {
-    let window = unfolded.diagram.scope.window;
+    let Diagram { wall, scope, .. } = &unfolded.diagram;
+    let between = *wall > 0;
     let row = |found: &Sequence| {
         let percent = |decided: bool| {
             let regions = found.regions.iter().filter(|region| region.doubt.is_none() == decided);
-            brief(100.0 * regions.map(|region| region.share(window)).sum::<f64>(), 3)
+            brief(100.0 * regions.map(|region| region.share(scope.window)).sum::<f64>(), 3)
         };
         let regions = found.regions.iter().filter(|region| region.doubt.is_none()).count();
         let numbers = [found.impacts, found.periods as usize, regions].map(|number| number.to_string());
-        numbers.into_iter().chain([percent(true), percent(false)]).collect()
+        let curves = Bifurcation::ALL.into_iter().filter_map(|kind| {
+            let count = found.curves.iter().filter(|curve| curve.kind == kind).count();
+            (count > 0).then(|| format!("{count} {}", kind.name()))
+        });
+        let curves = between.then(|| curves.collect::<Vec<_>>().join(", "));
+        let walls = between.then(|| walls(found, *wall));
+        let all = numbers.into_iter().chain([percent(true), percent(false)]);
+        walls.into_iter().chain(all).chain(curves).collect()
     };
     let solutions = &unfolded.sequences.solutions;
     if solutions.is_empty() {
         return String::new();
     }
-    let header = ["impacts", "periods", "regions", "% stable", "% undecided"];
+    let (first, last) = (between.then_some("<walls"), between.then_some("<curves"));
+    let usual = ["impacts", "periods", "regions", "% stable", "% undecided"];
+    let header: Vec<&str> = first.into_iter().chain(usual).chain(last).collect();
     let table = layout.aligned(&header, solutions.iter().map(row));
     format!("\nSolutions with several impacts (data/sequence_regions.csv)\n{table}")
 }
@@ -404,6 +417,7 @@ mod tests {
         let point = LinearOscillator::new(0.05, 0.8).and_then(|oscillator| oscillator.resonance(2, 3));
         AtResonance {
             loops: 2,
+            wall: 0,
             n: 3,
             parameters: [0.5, 0.75],
             point: point.expect("they are in the domain").resonant_point(),

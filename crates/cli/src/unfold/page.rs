@@ -2,8 +2,11 @@
 
 use std::path::PathBuf;
 
+use grazing_analysis::plane::counts;
 use grazing_description::Description;
 use grazing_report::{FileDigest, Manifest, OscillatorEntry, Report};
+use grazing_unfold::Diagram;
+use grazing_unfold::regions::Region;
 
 use super::analysis::Analysis;
 use super::reason;
@@ -30,7 +33,7 @@ pub(crate) fn entry(analysed: &AnalysedOscillator, computed: &ComputedOutput) ->
         description: description.clone(),
         figures: computed.entries().collect(),
         tables: SHOWN.iter().filter_map(|name| computed.table(name).cloned()).collect(),
-        resonances: unfolded.resonances.clone(),
+        resonances: unfolded.from_each_wall().flat_map(|seen| seen.resonances.clone()).collect(),
         lost: lost(description, unfolded),
         undecided: undecided(description, unfolded),
     }
@@ -78,18 +81,38 @@ fn leading_comment(text: &str) -> Vec<String> {
 
 /// Resonances that could not be located or unfolded, and work that was not finished, in words.
 pub(crate) fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
-    let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
-    let lost = reason::lost(description, units, diagram).map(|(what, why)| format!("{what}: {why}"));
-    let cut = diagram.unfinished.iter();
-    let cut = cut.map(|cut| format!("not finished: {}", reason::unfinished(description, units, cut)));
-    lost.chain(cut).collect()
+    let units = &unfolded.axes.units;
+    let of = |seen: &Analysis| {
+        let diagram = &seen.diagram;
+        let wall = at_wall(diagram.wall);
+        let lost =
+            reason::lost(description, units, diagram).map(|(what, why)| format!("{wall}{what}: {why}"));
+        let cut = diagram.unfinished.iter();
+        let cut =
+            cut.map(|cut| format!("{wall}not finished: {}", reason::unfinished(description, units, cut)));
+        lost.chain(cut).collect::<Vec<_>>()
+    };
+    unfolded.from_each_wall().flat_map(of).collect()
+}
+
+/// The second of two walls, before words about what it sees.
+fn at_wall(wall: u32) -> String {
+    if wall < 2 { String::new() } else { format!("wall {wall}: ") }
 }
 
 /// Regions in which the stability of solutions is undecided, with their loops.
 fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String)> {
-    let (units, regions) = (&unfolded.axes.units, unfolded.diagram.regions.iter());
-    let doubts = regions.map(|region| Some((region.loops, reason::undecided(description, units, region)?)));
-    doubts.flatten().collect()
+    let units = &unfolded.axes.units;
+    let words = |region: &Region| reason::undecided(description, units, region);
+    let seen = unfolded.from_each_wall().flat_map(|seen| {
+        let Diagram { wall, regions, .. } = &seen.diagram;
+        let own = regions.iter().filter(|region| counts(region.loops, *wall));
+        own.filter_map(|region| Some((region.loops, format!("{}{}", at_wall(*wall), words(region)?))))
+    });
+    let both = unfolded.sequences.solutions.iter().filter(|found| found.stops.len() > 1);
+    let both = both.flat_map(|found| &found.regions);
+    let both = both.filter_map(|region| Some((region.loops, format!("both walls: {}", words(region)?))));
+    seen.chain(both).collect()
 }
 
 #[cfg(test)]

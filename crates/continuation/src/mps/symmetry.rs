@@ -88,6 +88,25 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         point.impacts() == 2 && self.stops() == [0, 1] && !self.loops().is_multiple_of(2)
     }
 
+    /// Whether solutions like one have mirror images, and may be their own: there are pitchforks then.
+    pub fn have_images(&self, like: &Unknowns) -> bool {
+        self.may_be_mirrored(like) && is_symmetric(&self.oscillator_at(like))
+    }
+
+    /// The direction in which solutions that are not symmetric leave one that is, at a pitchfork: over half a
+    /// period, in the mirror, it is turned round.
+    pub fn leaving_symmetry(&self, at: &Unknowns) -> Option<Unknowns> {
+        if !self.has_impacts() {
+            let [x, y] =
+                self.halved()?.maps::<1>(at, &mut EventTimes::default()).ok()?.direction(-1.0)?.into();
+            return Some(Unknowns::new(x, y, 0.0, 0.0));
+        }
+        self.may_be_mirrored(at).then_some(())?;
+        let [velocity, phase] = self.mirrored_maps::<1>(at, at[unknown::PHASE]).direction(-1.0)?.into();
+        let there = OnWall::new(-velocity, -phase);
+        Some(Unknowns::of_impacts(&[OnWall::new(velocity, phase), there], [0.0; 2]))
+    }
+
     /// The maps over half the time of a solution with one impact at each of two symmetric stops, the second
     /// p/2 forcing periods after the first: as the other stop sees them, they lead to an impact like the first.
     fn mirrored_maps<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> Round {
@@ -131,7 +150,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         point: &Unknowns,
         times: &EventTimes,
     ) -> Result<(Linearisation<Unknowns>, Round), MapError> {
-        if !(self.may_be_mirrored(point) && is_symmetric(&self.oscillator_at(point))) {
+        if !self.have_images(point) {
             return Err(MapError::NotSymmetric);
         }
         let plane = times.planes.first().copied().unwrap_or(point[unknown::PHASE]);

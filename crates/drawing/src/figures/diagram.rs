@@ -81,7 +81,9 @@ pub fn draw_diagram(
     }
     let shaded = look.shows(RegionKind::SeveralImpacts);
     let several = if shaded { draw_several(&mut panel, &mut labels, &diagram.several)? } else { Vec::new() };
-    let drawn = draw_curves(&mut panel, &mut labels, shown_curves(&diagram.curves))?;
+    let mut shown = shown_curves(&diagram.curves);
+    shown.extend(shown_curves(&diagram.at_both_walls));
+    let drawn = draw_curves(&mut panel, &mut labels, shown)?;
     let own = draw_own(&mut panel, &mut labels, &diagram.own)?;
     let mut sections = Vec::new();
     for section in diagram.sections.iter().filter(|_| look.names(Named::Diagrams)) {
@@ -103,7 +105,8 @@ pub fn draw_diagram(
             unnamed.push((p, spot));
         }
     }
-    let lost = diagram.curves.iter().filter(|point| !point.lost.is_empty());
+    let curves = diagram.curves.iter().chain(&diagram.at_both_walls);
+    let lost = curves.filter(|point| !point.lost.is_empty());
     let lost_own = diagram.own.iter().filter(|point| !point.lost.is_empty());
     let lost = lost.map(|point| (point.primary, point.secondary));
     let lost = lost.chain(lost_own.map(|point| (point.primary, point.secondary)));

@@ -218,7 +218,9 @@ fn points(
         let kind = match row.kind {
             CodimensionTwo::SaddleNodeGrazing | CodimensionTwo::Cusp => Bifurcation::SaddleNode,
             CodimensionTwo::PeriodDoublingGrazing => Bifurcation::PeriodDoubling,
-            CodimensionTwo::GrazingGrazing | CodimensionTwo::Resonance => Bifurcation::Grazing,
+            CodimensionTwo::GrazingGrazing | CodimensionTwo::Resonance | CodimensionTwo::PitchforkGrazing => {
+                Bifurcation::Grazing
+            }
             CodimensionTwo::SaddleNodeTorus
             | CodimensionTwo::PeriodDoublingTorus
             | CodimensionTwo::PitchforkTorus
@@ -267,6 +269,7 @@ mod tests {
                 let row = CurvePoint {
                     varied: [f64::NAN, scale * share, other],
                     loops,
+                    wall: 0,
                     n,
                     curve: number as u32,
                     arc: number as u32 * 4 + k.min(39) / 10,
@@ -283,6 +286,7 @@ mod tests {
                         varied: row.varied,
                         kind: kinds[number % 2],
                         loops,
+                        wall: 0,
                         n,
                         secondary: row.secondary - 0.1 * share,
                         primary: 0.5,
@@ -297,6 +301,7 @@ mod tests {
             degenerate.push(Degenerate {
                 varied: [f64::NAN, scale * 0.41, other],
                 loops,
+                wall: 0,
                 n,
                 curve: 0,
                 quantity: "s_p^+".to_owned(),

@@ -62,8 +62,9 @@ fn grid_panel<'a>(
     up: &'a str,
     decades: Option<Decades>,
 ) -> Result<GridPanel<'a>, DrawingError> {
-    let MagnifiedPanel { panel: number, loops, n, coefficients, frame, .. } = panel;
+    let MagnifiedPanel { panel: number, loops, wall, n, coefficients, frame, .. } = panel;
     let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
+    let wall = if *wall == 0 { String::new() } else { format!(", wall {wall}") };
     let known = coefficients.named().into_iter().filter(|(_, value)| value.is_finite());
     let written = |(kind, value): (Bifurcation, f64)| {
         format!(r"$c_{{\mathrm{{{},}}{loops}}}={}$", kind.name(), measured(value, DIGITS))
@@ -78,7 +79,7 @@ fn grid_panel<'a>(
         decades,
         names: decades.is_none().then_some(heading.names),
         only: Some(("panel", *number)),
-        first: (format!("{}  $p={loops}${n}", panel_letter(*number)), LABEL_SIZE),
+        first: (format!("{}  $p={loops}${n}{wall}", panel_letter(*number)), LABEL_SIZE),
         parts: (known.map(written).collect(), TICK_SIZE),
     })
 }

@@ -206,7 +206,7 @@ impl SampleOscillator {
                 let curvature = across.0 / (up.0 * up.0);
                 let period_doubling = if panel == 2 { f64::NAN } else { 12.153 * curvature };
                 let coefficients = Pair { saddle_node: -282.437 * curvature, period_doubling };
-                MagnifiedPanel { panel, frame, loops: p, n: Some(n), coefficients }
+                MagnifiedPanel { panel, frame, loops: p, wall: 0, n: Some(n), coefficients }
             })
             .collect();
         let (points, regions) = (point_rows(&all), region_rows(&all, corners));
@@ -226,6 +226,7 @@ impl SampleOscillator {
             own: Vec::new(),
             measured: Vec::new(),
             several: Vec::new(),
+            at_both_walls: Vec::new(),
         };
         let straightened = straightened(&diagram.magnified, up);
         SampleOscillator { names: Names::new(names[0], names[1]), diagram, magnifications, straightened }

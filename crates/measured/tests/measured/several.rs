@@ -31,8 +31,13 @@ fn motion_with_several_impacts_agrees_by_its_region_or_else_by_simulation() {
     let seen = Seen::Periodic { periods: found.periods, impacts: found.impacts as u32 };
     let observation = [Observation { line: 2, at, errors: [0.0; 2], seen }];
     let verdict = |several| {
-        let told =
-            compare(&observation, &Axes::of_the_paper(), (&diagram, several), &Silent, &Stop::default());
+        let told = compare(
+            &observation,
+            &Axes::of_the_paper(),
+            (&diagram, None, several),
+            &Silent,
+            &Stop::default(),
+        );
         let point = &told.points[0];
         (point.agreement, point.theory.clone(), point.reason.clone())
     };

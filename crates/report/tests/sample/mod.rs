@@ -191,6 +191,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     let point = point.expect("they are in the domain").resonant_point();
     let resonance = |n, curves, value| AtResonance {
         loops: 2,
+        wall: 0,
         n,
         parameters: [0.5, 0.75],
         point,

@@ -336,7 +336,8 @@ impl<'a> Map<'a> {
             counts.push(count);
         }
         let stretches = rows.into_iter().flat_map(|row| row.stretches).collect();
-        let diagram = plane_diagram(&Axes::of_the_paper(), self.study.diagram()?, Vec::new(), Vec::new());
+        let diagram =
+            plane_diagram(&Axes::of_the_paper(), (self.study.diagram()?, None), Vec::new(), Vec::new());
         Ok(Attractors { stretches, counts, remarks, diagram, size: self.size })
     }
 }

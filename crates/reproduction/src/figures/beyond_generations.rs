@@ -139,7 +139,7 @@ impl PaperFigure for BeyondGenerations {
         let diagram = study.diagram()?;
         let window = study.parameters.section::<Figure7>()?.window();
         let sequences = sequences(diagram, &self.rounds, 2, &*study.progress);
-        let regions = grazing_analysis::sequences::rows(&sequences, &Axes::of_the_paper().units).regions;
+        let regions = grazing_analysis::sequences::rows(&sequences, &Axes::of_the_paper().units, 0).regions;
         let Sequences { resonances: found, unlocated, .. } = sequences;
         let resonances: Vec<LaterRow> =
             found.par_iter().enumerate().map(|(index, found)| row(index as u32 + 1, found)).collect();

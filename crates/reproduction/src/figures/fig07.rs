@@ -34,7 +34,7 @@ impl PaperFigure for Figure7 {
             thin: false,
         });
         let axes = Axes::of_the_paper();
-        Ok(plane::plane_diagram(&axes, study.diagram()?, panels, section.into_iter().collect()))
+        Ok(plane::plane_diagram(&axes, (study.diagram()?, None), panels, section.into_iter().collect()))
     }
 
     fn draw(diagram: &PlaneDiagram, width: SheetWidth) -> Result<Sheet, DrawingError> {

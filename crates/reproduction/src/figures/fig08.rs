@@ -90,7 +90,7 @@ impl Figure8 {
         let panel = |(panel, shown): (u32, &Shown<'_>)| {
             let &Shown { resonance: &Resonance { loops, n, .. }, window, .. } = shown;
             let coefficients = closed_form_coefficients(&theory.resonance(loops, n)?);
-            Ok(MagnifiedPanel { panel, frame: window.into(), loops, n: None, coefficients })
+            Ok(MagnifiedPanel { panel, frame: window.into(), loops, wall: 0, n: None, coefficients })
         };
         (1..).zip(&self.shown(study)?.0).map(panel).collect()
     }

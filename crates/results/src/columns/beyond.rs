@@ -143,6 +143,8 @@ columns! {
     LATER_IMPACTS = "impacts", "K", "1";
     /// forcing periods after which they recur
     LATER_PERIODS = "periods", "", "1";
+    /// the walls that these impacts hit, from 1 in the order of the file, one after the other: `1-2`. Only with two walls
+    LATER_WALLS = "{wall}s", "", "1";
     /// the hypotheses of Theorem 2.4 or 2.5 that fail; empty if the theorem applies
     LATER_FAILS = "fails", "", "1";
     /// least impact velocity of the solution

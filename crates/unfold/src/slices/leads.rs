@@ -83,16 +83,32 @@ impl Slicer {
         let maps = halved.maps::<1>(&at, &mut EventTimes::default());
         let Some(direction) = maps.ok().and_then(|maps| maps.direction(-1.0)) else { return };
         let direction = halved.with_others(&at, Unknowns::new(direction[0], direction[1], 0.0, 0.0));
+        self.beginning_aside(slice, &direction, |aside| match halved.has_impacts() {
+            true => (&at + aside).followed_by(&(&at - aside), halved.loops()),
+            false => &at + aside,
+        });
+    }
+
+    /// Adds the branch of solutions that are not symmetric and begins at a pitchfork.
+    fn beginning_at_pitchfork(&self, slice: &mut Slice, at: &Unknowns) {
+        if let Some(direction) = self.equations.leaving_symmetry(at) {
+            self.beginning_aside(slice, &direction, |aside| at + aside);
+        }
+    }
+
+    /// Adds the branch that leaves another one in a direction, from the nearest place at which it is found.
+    fn beginning_aside(
+        &self,
+        slice: &mut Slice,
+        direction: &Unknowns,
+        aside: impl Fn(&Unknowns) -> Unknowns,
+    ) {
         let before = slice.branches.len();
         for distance in BESIDE_DOUBLING {
             if slice.branches.len() > before {
                 break;
             }
-            let aside = &direction * distance;
-            let near = match halved.has_impacts() {
-                true => (&at + &aside).followed_by(&(&at - &aside), halved.loops()),
-                false => &at + &aside,
-            };
+            let near = aside(&(direction * distance));
             let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
             let conditions = [held, Condition::Secondary(slice.secondary)];
             let times = &mut EventTimes::default();
@@ -168,10 +184,8 @@ impl Slicer {
                 if known.is_empty() {
                     self.add(slice, through.clone(), &times, true);
                 }
-                if condition == Condition::SymmetryBreaking
-                    && let Some(halved) = self.equations.halved()
-                {
-                    self.beginning_beside(slice, &halved, through.clone());
+                if condition == Condition::SymmetryBreaking {
+                    self.beginning_at_pitchfork(slice, &through);
                 }
                 for index in passing(slice) {
                     self.insert(&mut slice.branches[index], condition, &through, times.clone());

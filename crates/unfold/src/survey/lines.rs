@@ -29,7 +29,7 @@ impl Survey<'_> {
             curves[k].kind == Bifurcation::NonImpactingGrazing
                 && grazing.iter().any(|line| lies_on(self.scope, line, &curves[k]))
         };
-        let shown = |k: &usize| has_impacts || !covered(*k) && !touches_both(*k);
+        let shown = |k: &usize| !self.images || !covered(*k) && !touches_both(*k);
         let shown: Vec<usize> = (0..curves.len()).filter(shown).collect();
         let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
         let mut lines: Vec<Vec<Point>> = Vec::new();

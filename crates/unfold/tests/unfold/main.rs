@@ -1,6 +1,7 @@
 //! Diagrams found without prior knowledge of the oscillator, compared with results known by other
 //! means.
 
+mod both_stops;
 mod calibration;
 mod cookbook;
 mod corners;

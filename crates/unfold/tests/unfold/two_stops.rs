@@ -15,14 +15,14 @@ use rand_pcg::rand_core::Rng;
 /// −lower + b cos ωt, with a restitution for each.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Linear {
-    damping: f64,
-    load: f64,
-    amplitude: f64,
-    omega: f64,
-    upper: f64,
-    lower: f64,
-    shaken: f64,
-    restitutions: [f64; 2],
+    pub(crate) damping: f64,
+    pub(crate) load: f64,
+    pub(crate) amplitude: f64,
+    pub(crate) omega: f64,
+    pub(crate) upper: f64,
+    pub(crate) lower: f64,
+    pub(crate) shaken: f64,
+    pub(crate) restitutions: [f64; 2],
 }
 
 /// An impact: time, relative velocity, and whether it is at the upper stop.
@@ -33,7 +33,7 @@ const SLOW: f64 = 0.03;
 
 impl Linear {
     /// Position and velocity a time after (x, v) at phase z, the stops ignored.
-    fn flow(&self, [x, v, z]: [f64; 3], t: f64) -> [f64; 2] {
+    pub(crate) fn flow(&self, [x, v, z]: [f64; 3], t: f64) -> [f64; 2] {
         let (d, omega) = (self.damping, self.omega);
         let [real, imaginary] = [1.0 - omega * omega, 2.0 * d * omega];
         let [c, s] =
@@ -51,7 +51,7 @@ impl Linear {
     }
 
     /// Position and velocity of the lower stop at a phase.
-    fn floor(&self, phase: f64) -> [f64; 2] {
+    pub(crate) fn floor(&self, phase: f64) -> [f64; 2] {
         let [cos, sin] = [libm::cos(phase), libm::sin(phase)];
         [-self.lower + self.shaken * cos, -self.shaken * self.omega * sin]
     }
@@ -242,7 +242,7 @@ fn both_views_of_an_oscillator_lead_back_to_each_other() {
 }
 
 /// A symmetric oscillator between stops at ±1 with one restitution; the amplitude does not matter.
-fn symmetric(random: &mut Pcg64) -> Linear {
+pub(crate) fn symmetric(random: &mut Pcg64) -> Linear {
     let mut within = |low: f64, high: f64| low + (high - low) * uniform(random);
     let restitution = within(0.4, 0.95);
     Linear {
@@ -265,16 +265,16 @@ fn symmetric(random: &mut Pcg64) -> Linear {
 /// CSAV 4, 462-473 and 5, 569-580, 1974, have it in other notation. With the free part f of the motion and its
 /// flow M over half a period, f(h) = −f(0) and f'(h) = K f'(0), so that f is proportional to y; the forced part is
 /// what is left of x and x' at the impact, and on an ellipse.
-struct Mirrored {
+pub(crate) struct Mirrored {
     /// f(0) = `free` y and P'(0) = `forced` y.
-    free: f64,
-    forced: f64,
+    pub(crate) free: f64,
+    pub(crate) forced: f64,
     /// The flow of free motion over half a period.
     flow: [[f64; 2]; 2],
 }
 
 impl Linear {
-    fn mirrored(&self) -> Mirrored {
+    pub(crate) fn mirrored(&self) -> Mirrored {
         let (d, h) = (self.damping, core::f64::consts::PI / self.omega);
         let (w, decay) = ((1.0 - d * d).sqrt(), libm::exp(-d * h));
         let [cos, sin] = [libm::cos(w * h), libm::sin(w * h)];
@@ -287,13 +287,13 @@ impl Linear {
     }
 
     /// The amplitude of the forced motion for an amplitude of one.
-    fn response(&self) -> f64 {
+    pub(crate) fn response(&self) -> f64 {
         let omega = self.omega;
         1.0 / libm::hypot(1.0 - omega * omega, 2.0 * self.damping * omega)
     }
 
     /// The impact (y, z) at an impact velocity, with the amplitude at which it is one.
-    fn with_velocity(&self, of: &Mirrored, y: f64) -> (Self, f64) {
+    pub(crate) fn with_velocity(&self, of: &Mirrored, y: f64) -> (Self, f64) {
         let [p, slope] = [1.0 - of.free * y, of.forced * y / self.omega];
         let here = Self { amplitude: libm::hypot(p, slope) / self.response(), ..*self };
         // P = c cos z + s sin z and P'/ω = s cos z − c sin z.
@@ -305,7 +305,7 @@ impl Linear {
     }
 
     /// The derivative of (y, z) to the next impact, half a period later and mirrored.
-    fn half_derivative(&self, of: &Mirrored, [y, z]: [f64; 2]) -> [[f64; 2]; 2] {
+    pub(crate) fn half_derivative(&self, of: &Mirrored, [y, z]: [f64; 2]) -> [[f64; 2]; 2] {
         let r = self.restitutions[0];
         let force = |v: f64| -2.0 * self.damping * v - 1.0 + self.amplitude * libm::cos(z);
         let [before, after] = [force(y), force(-r * y)];

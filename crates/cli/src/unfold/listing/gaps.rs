@@ -3,6 +3,7 @@
 use std::mem::discriminant;
 
 use grazing_analysis::nothing::place;
+use grazing_analysis::sequences::walls;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_description::Description;
 use grazing_model::smooth::Units;
@@ -63,6 +64,15 @@ pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Ana
     let own = diagram.levels.curves.iter().flat_map(|LevelCurve { level, loops, curve }| {
         lines(format!("{} of p = {loops}", diagram.asked[*level].name), curve)
     });
+    let both = unfolded.sequences.solutions.iter().filter(|found| found.stops.len() > 1);
+    let both = both.flat_map(|found| {
+        let walls = walls(found, diagram.wall);
+        let of = move |curve: &DiagramCurve| {
+            format!("{} of walls {walls}, p = {}", curve.kind.name(), curve.loops)
+        };
+        found.curves.iter().flat_map(|curve| lines(of(curve), &curve.curve)).collect::<Vec<_>>()
+    });
+    let bifurcations = bifurcations.chain(both);
     let ends = few(bifurcations.collect(), "ends of bifurcation curves; the curves are", "data/curves.csv")
         .into_iter();
     let own = few(own.collect(), "ends of curves that the file asks for; these are", "data/own_curves.csv");
@@ -72,16 +82,22 @@ pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Ana
 /// Where it is not decided whether solutions are stable, with the reason.
 pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let mut kinds: Vec<(_, &Doubt, Vec<String>)> = Vec::new();
-    for region in &unfolded.diagram.regions {
+    let own = unfolded.diagram.regions.iter().map(|region| (format!("p = {}", region.loops), region));
+    let both = unfolded.sequences.solutions.iter().filter(|found| found.stops.len() > 1);
+    let both = both.flat_map(|found| {
+        let name = format!("walls {}, p = {}", walls(found, unfolded.diagram.wall), found.periods);
+        found.regions.iter().map(move |region| (name.clone(), region))
+    });
+    for (name, region) in own.chain(both) {
         let Some(doubt) = &region.doubt else { continue };
         let Some(line) = reason::undecided(description, &unfolded.axes.units, region) else { continue };
-        let kind = (region.loops, discriminant(doubt));
+        let kind = (name, discriminant(doubt));
         match kinds.iter_mut().find(|(known, ..)| *known == kind) {
             Some((.., alike)) => alike.push(line),
             None => kinds.push((kind, doubt, vec![line])),
         }
     }
-    let entries = kinds.into_iter().flat_map(|((loops, _), doubt, alike)| {
+    let entries = kinds.into_iter().flat_map(|((name, _), doubt, alike)| {
         let lines = if alike.len() <= LISTED {
             alike
         } else {
@@ -90,7 +106,7 @@ pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &An
             let reason = reason.split(": ").next().unwrap_or_default();
             vec![format!("{count} regions, in {REGIONS}: {reason}")]
         };
-        lines.into_iter().map(move |line| (format!("  p = {loops}  "), line))
+        lines.into_iter().map(move |line| (format!("  {name}  "), line))
     });
     layout.headed("Stability not decided (hatched in the diagram)", entries)
 }
