@@ -5,11 +5,11 @@ use grazing_model::orbit::OrbitEnd;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
-use grazing_results::Stability;
 use grazing_results::place::{
     AtPlace, BasinState, PlaceAttractor, PlaceImpact, PlaceMotion, PlaceSolution, Simulated, SimulatedImpact,
     SimulatedMotion,
 };
+use grazing_results::{Dimensioned, Stability};
 use grazing_unfold::Scope;
 use grazing_unfold::long_time::{MotionKind, Trajectory};
 use grazing_unfold::place::{Place, Starts};
@@ -61,27 +61,21 @@ pub fn simulated(
     }
     let impacts = libm::ceil(MOST_IMPACTS * periods) as usize;
     let found = Trajectory::follow(&here, from, begin, (periods * here.forcing_period(), impacts));
-    let time = |time: f64| time * units.time;
     let point = |(flight, points): (u32, &Vec<[f64; 3]>)| {
-        let point = move |[t, x, y]: &[f64; 3]| SimulatedMotion {
-            flight,
-            time: time(*t),
-            x: x * length,
-            y: y * velocity,
-        };
+        let point =
+            move |&[time, x, y]: &[f64; 3]| SimulatedMotion { flight, time, x, y }.with_dimensions(&units);
         points.iter().map(point).collect::<Vec<_>>()
     };
-    let impact = |([t, phase, speed], stop): (&[f64; 3], &usize)| SimulatedImpact {
-        time: time(*t),
-        wall: wall(*stop),
-        impact_phase: centred(*phase),
-        impact_velocity: speed * velocity,
+    let impact = |(&[time, phase, impact_velocity], stop): (&[f64; 3], &usize)| {
+        let impact_phase = centred(phase);
+        let row = SimulatedImpact { time, wall: wall(*stop), impact_phase, impact_velocity };
+        row.with_dimensions(&units)
     };
     let end = match found.end {
         OrbitEnd::TimeIsUp(end) if end.position.is_finite() => "the time is over".to_owned(),
         OrbitEnd::TimeIsUp(_) => "it cannot be followed".to_owned(),
         OrbitEnd::Resting { rest, held } => {
-            let at = time(begin + rest.start);
+            let at = (begin + rest.start) * units.time;
             let then =
                 if held { ", where the force holds it for whole periods" } else { "; the time is over" };
             format!("it comes to rest at the wall at t = {at}{then}")
@@ -107,7 +101,6 @@ pub fn at_place(
     let here = oscillator.with_parameters(units.without_dimensions([primary, secondary]));
     let starts = Starts { lattice: LATTICE, ..Starts::default() };
     let found = Place::compute(&here, scope, &starts, progress)?;
-    let (length, velocity) = (units.length, units.velocity());
     let mut all = AtPlace {
         attractors: Vec::new(),
         solutions: Vec::new(),
@@ -124,26 +117,28 @@ pub fn at_place(
     for solution in &found.solutions {
         let Multipliers { trace, determinant } = solution.multipliers;
         let [slowest, phase] = solution.impacts.first().copied().unwrap_or([f64::NAN; 2]);
-        all.solutions.push(PlaceSolution {
+        let row = PlaceSolution {
             place,
             loops: solution.loops,
             impacts: solution.impacts.len() as u32,
             wall: if solution.loops > 0 { wall(solution.stops[0]) } else { 0 },
-            impact_velocity: slowest * velocity,
+            impact_velocity: slowest,
             impact_phase: centred(phase),
             trace,
             determinant,
             stable: Stability::of(solution.multipliers),
             admissible: solution.admissible,
-        });
+        };
+        all.solutions.push(row.with_dimensions(units));
     }
     let number = |index: usize| index as u32 + 1;
     for (index, one) in found.attractors.iter().enumerate() {
         let attractor = number(index);
-        all.attractors.push(PlaceAttractor {
+        let [here_primary, here_secondary] = here.parameters();
+        let row = PlaceAttractor {
             place,
-            secondary,
-            primary,
+            secondary: here_secondary,
+            primary: here_primary,
             attractor,
             states: one.states,
             share: f64::from(one.states) / f64::from(starts.states),
@@ -152,35 +147,31 @@ pub fn at_place(
             impacts: one.fate.impacts,
             second: one.fate.second,
             rests: one.fate.rests,
-            exponent: one.exponent.mean / units.time,
-            exponent_error: one.exponent.error / units.time,
-        });
+            exponent: one.exponent.mean,
+            exponent_error: one.exponent.error,
+        };
+        all.attractors.push(row.with_dimensions(units));
         for (flight, points) in (1..).zip(&one.flights) {
-            let point = |[time, x, y]: &[f64; 3]| PlaceMotion {
-                place,
-                attractor,
-                flight,
-                time: time * units.time,
-                x: x * length,
-                y: y * velocity,
+            let point = |&[time, x, y]: &[f64; 3]| {
+                PlaceMotion { place, attractor, flight, time, x, y }.with_dimensions(units)
             };
             all.motion.extend(points.iter().map(point));
         }
-        let impact = |([phase, speed], stop): (&[f64; 2], &usize)| PlaceImpact {
-            place,
-            attractor,
-            wall: wall(*stop),
-            impact_phase: centred(*phase),
-            impact_velocity: speed * velocity,
+        let impact = |(&[phase, impact_velocity], stop): (&[f64; 2], &usize)| {
+            let (wall, impact_phase) = (wall(*stop), centred(phase));
+            PlaceImpact { place, attractor, wall, impact_phase, impact_velocity }.with_dimensions(units)
         };
         all.impacts.extend(one.strikes.iter().zip(&one.stops).map(impact));
     }
-    let basin = |(state, index): &(State, Option<usize>)| BasinState {
-        place,
-        start_phase: state.phase,
-        start_x: state.position * length,
-        motion: index.map_or(MotionKind::Unsettled, |index| found.attractors[index].fate.kind).name(),
-        attractor: index.map_or(0, number),
+    let basin = |(state, index): &(State, Option<usize>)| {
+        let row = BasinState {
+            place,
+            start_phase: state.phase,
+            start_x: state.position,
+            motion: index.map_or(MotionKind::Unsettled, |index| found.attractors[index].fate.kind).name(),
+            attractor: index.map_or(0, number),
+        };
+        row.with_dimensions(units)
     };
     all.basins.extend(found.basins.iter().map(basin));
     Some(all)

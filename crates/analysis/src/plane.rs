@@ -9,7 +9,7 @@ use grazing_results::plane::{
     MagnifiedPanel, MagnifiedPoint, OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, Section, SpecialPoint,
     StraightenedCurves, StraightenedPoint,
 };
-use grazing_results::{Frame, Names, Stability, TablePlan};
+use grazing_results::{Dimensioned, Frame, Names, Stability, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::levels::{Level, LevelCurve};
@@ -114,7 +114,7 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
     let wall = diagram.wall;
     let rows = |curve: &GrazingCurve| {
         let points = curve.states.iter().map(|state| {
-            let [primary, secondary] = axes.units.parameters(state.orbit.oscillator().parameters());
+            let [primary, secondary] = state.orbit.oscillator().parameters();
             let map = state.orbit.grazing_point().map;
             PlanePoint {
                 kind: Bifurcation::NonImpactingGrazing,
@@ -134,19 +134,18 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
                 lost: String::new(),
             }
         });
-        with_ends(points, curve.ends.each_ref().map(GrazingEnd::lost))
+        with_ends(axes, points, curve.ends.each_ref().map(GrazingEnd::lost))
     };
     diagram.grazing.iter().map(rows).collect()
 }
 
 /// A bifurcation curve, not yet numbered. It need not be in the diagram yet; the grazing curves must be.
 pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) -> Vec<PlanePoint> {
-    let (units, equations) = (&axes.units, diagram.equations(curve.loops));
+    let equations = diagram.equations(curve.loops);
     let points = curve.curve.points.iter().map(|point| {
         let solution = &point.solution;
         let [velocity, phase] = equations.impact(solution);
-        let [_, eta] = solution.parameters();
-        let [primary, secondary] = units.parameters(solution.parameters());
+        let [primary, secondary] = solution.parameters();
         PlanePoint {
             kind: curve.kind,
             loops: curve.loops,
@@ -154,11 +153,11 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
             n: curve.n,
             secondary,
             primary,
-            impact_velocity: velocity * units.velocity(),
-            impact_phase: diagram.grazing_phase(eta).map_or(f64::NAN, |graz| centred(phase - graz)),
+            impact_velocity: velocity,
+            impact_phase: diagram.grazing_phase(secondary).map_or(f64::NAN, |graz| centred(phase - graz)),
             trace: solution.multipliers.trace,
             determinant: solution.multipliers.determinant,
-            max_interior_x: solution.ceiling() * units.length,
+            max_interior_x: solution.ceiling(),
             // At a torus bifurcation the multipliers are on the unit circle by definition.
             stable: match curve.kind {
                 Bifurcation::Torus => solution.stable().into(),
@@ -169,15 +168,17 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
             lost: String::new(),
         }
     });
-    with_ends(points, curve.curve.lost())
+    with_ends(axes, points, curve.curve.lost())
 }
 
-/// The points of a curve; the first and the last carry the reason why the curve was followed no further.
+/// The dimensionless points of a curve in the units of these axes; the first and the last carry the reason why the curve was
+/// followed no further.
 fn with_ends(
+    axes: &Axes,
     points: impl Iterator<Item = PlanePoint>,
     [first, last]: [Option<String>; 2],
 ) -> Vec<PlanePoint> {
-    let mut points: Vec<PlanePoint> = points.collect();
+    let mut points: Vec<PlanePoint> = points.map(|point| point.with_dimensions(&axes.units)).collect();
     if let (Some(point), Some(reason)) = (points.first_mut(), first) {
         point.lost = reason;
     }
@@ -217,10 +218,9 @@ pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
 
 /// Resonances at which a theorem holds, and other codimension-two points.
 pub fn points(axes: &Axes, diagram: &Diagram) -> Vec<SpecialPoint> {
-    let point = |kind, loops, n, parameters| {
-        let [primary, secondary] = axes.units.parameters(parameters);
+    let point = |kind, loops, n, [primary, secondary]: [f64; 2]| {
         let wall = if loops > 0 { diagram.wall } else { 0 };
-        SpecialPoint { kind, loops, wall, n, secondary, primary }
+        SpecialPoint { kind, loops, wall, n, secondary, primary }.with_dimensions(&axes.units)
     };
     let resonances = diagram.unfolding().map(|(resonance, at)| {
         let [_, _, primary, secondary] = at.unknowns().into();
@@ -247,9 +247,9 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
         let (kind, loops, n) = (region.kind(), region.loops, region.n);
         let reason = region.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
         for (ring, vertices) in (0..).zip(&region.rings) {
-            rows.extend(vertices.iter().map(|vertex| {
-                let [primary, secondary] = axes.units.parameters(*vertex);
-                RegionVertex {
+            rows.extend(vertices.iter().map(|&[primary, secondary]| {
+                let reason = reason.clone();
+                let row = RegionVertex {
                     region: number,
                     kind,
                     loops,
@@ -258,8 +258,9 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
                     secondary,
                     primary,
                     ring,
-                    reason: reason.clone(),
-                }
+                    reason,
+                };
+                row.with_dimensions(&axes.units)
             }));
         }
     }

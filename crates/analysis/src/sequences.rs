@@ -3,10 +3,10 @@
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
-use grazing_results::Stability;
 use grazing_results::plane::{
     PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
 };
+use grazing_results::{Dimensioned, Stability};
 use grazing_unfold::curves::DiagramCurve;
 use grazing_unfold::generations::{BaseName, LaterResonance};
 use grazing_unfold::regions::Doubt;
@@ -62,10 +62,9 @@ pub fn at_both_walls(rows: &[SequencePoint]) -> Vec<PlanePoint> {
 
 fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonance {
     let BaseName { impacts: base_impacts, periods: base_periods, .. } = at.base;
-    let [primary, secondary] = units.parameters(at.resonance.located.orbit().oscillator().parameters());
-    let unit = units.primary / (units.secondary * units.secondary);
+    let [primary, secondary] = at.resonance.located.orbit().oscillator().parameters();
     let (coefficients, fails) = match &at.resonance.theorem {
-        Ok(point) => (point.leading().into_array().map(|curve| curve.coefficient * unit), String::new()),
+        Ok(point) => (point.leading().into_array().map(|curve| curve.coefficient), String::new()),
         Err(violated) => ([f64::NAN; 2], violated.to_string()),
     };
     SequenceResonance {
@@ -81,6 +80,7 @@ fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonan
         period_doubling: coefficients[1],
         fails,
     }
+    .with_dimensions(units)
 }
 
 fn points(
@@ -90,7 +90,7 @@ fn points(
     units: &Units,
 ) -> Vec<SequencePoint> {
     let row = |solution: &PeriodicSolution| {
-        let [primary, secondary] = units.parameters(solution.parameters());
+        let [primary, secondary] = solution.parameters();
         SequencePoint {
             impacts: of.impacts as u32,
             periods: of.periods,
@@ -98,15 +98,16 @@ fn points(
             kind: *kind,
             secondary,
             primary,
-            impact_velocity: solution.impact_velocity() * units.velocity(),
+            impact_velocity: solution.impact_velocity(),
             trace: solution.multipliers.trace,
             determinant: solution.multipliers.determinant,
-            max_interior_x: solution.ceiling() * units.length,
+            max_interior_x: solution.ceiling(),
             stable: Stability::of(solution.multipliers),
             admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
             arc,
             lost: String::new(),
         }
+        .with_dimensions(units)
     };
     let mut rows: Vec<SequencePoint> = curve.points.iter().map(|point| row(&point.solution)).collect();
     let [first, last] = curve.lost().map(Option::unwrap_or_default);
@@ -124,8 +125,7 @@ fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units, wall: u32
         let kind = if region.doubt.is_some() { RegionKind::Undecided } else { RegionKind::SeveralImpacts };
         let reason = region.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
         for (ring, vertices) in (0..).zip(&region.rings) {
-            rows.extend(vertices.iter().map(|vertex| {
-                let [primary, secondary] = units.parameters(*vertex);
+            rows.extend(vertices.iter().map(|&[primary, secondary]| {
                 SequenceVertex {
                     region: number,
                     kind,
@@ -137,6 +137,7 @@ fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units, wall: u32
                     ring,
                     reason: reason.clone(),
                 }
+                .with_dimensions(units)
             }));
         }
     }

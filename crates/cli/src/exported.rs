@@ -144,8 +144,12 @@ fn best(description: &Description, at: [f64; 2], stop: &Stop) -> Result<Best, Fa
     };
     for (number, description) in (1..).zip(walls) {
         let wall = (count > 1).then_some(number);
-        let found = solution(&description, at, stop)
-            .map(|(solution, flight)| Best { description, wall, solution, flight });
+        let found = solution(&description, at, stop).map(|(solution, flight)| Best {
+            description,
+            wall,
+            solution,
+            flight,
+        });
         // What could not be looked for may be better.
         if stop.is_asked() && found.is_err() {
             return found;

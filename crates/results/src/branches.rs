@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::Bifurcation;
 
 use crate::readings::{MotionReading, Ordinate, Reading, Sweep};
-use crate::{Frame, Names, Stability, Table, Tables, rows, tables, words};
+use crate::{Dimension, Dimensioned, Frame, Names, Stability, Table, Tables, rows, tables, words};
 
 words! {
     /// The kinds of phase portraits.
@@ -69,11 +69,11 @@ rows! {
 
 /// A row of a one-parameter diagram, of any type.
 pub trait DiagramRow {
+    /// Visits every number with the dimension of its column.
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64));
+
     /// Primary and secondary parameter.
     fn parameters(&self) -> [f64; 2];
-
-    /// Replaces the primary and the secondary parameter.
-    fn set_parameters(&mut self, parameters: [f64; 2]);
 
     /// Assigns the row to the diagram with this number, and exchanges its two parameters if `exchanged`.
     fn place(&mut self, diagram: u32, exchanged: bool);
@@ -86,8 +86,8 @@ macro_rules! diagram_rows {
                 [self.primary, self.secondary]
             }
 
-            fn set_parameters(&mut self, parameters: [f64; 2]) {
-                [self.primary, self.secondary] = parameters;
+            fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+                Dimensioned::each_number(self, visit);
             }
 
             fn place(&mut self, diagram: u32, exchanged: bool) {

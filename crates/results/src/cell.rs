@@ -5,6 +5,8 @@ use std::borrow::Cow;
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::Multipliers;
 
+use crate::Field;
+
 /// One cell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
@@ -48,6 +50,14 @@ cells! {
     Bifurcation: |kind| kind.name().into(),
     CodimensionTwo: |kind| kind.name().into(),
 }
+
+impl Field for &'static str {}
+impl Field for String {}
+impl Field for u32 {}
+impl Field for bool {}
+impl Field for Bifurcation {}
+impl Field for CodimensionTwo {}
+impl Field for Stability {}
 
 /// Whether nearby motion approaches a solution: in tables `true`, `false` or, where it neither approaches nor
 /// leaves, `neutral`.
@@ -118,6 +128,8 @@ macro_rules! words {
                 match self { $(Self::$variant => $word,)+ }
             }
         }
+
+        impl $crate::Field for $name {}
 
         impl From<$name> for $crate::Cell {
             fn from(value: $name) -> Self {

@@ -4,7 +4,7 @@
 //! units. Length, velocity and time are those in which an oscillator is described. The paper's oscillator
 //! is dimensionless, so all its units are 1. A unit of 1 is omitted.
 
-use crate::Names;
+use crate::{Dimension, Names};
 
 /// A column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,8 @@ pub struct Column {
     symbol: &'static str,
     /// The unit of its numbers.
     pub unit: &'static str,
+    /// The dimension of its numbers, as the unit says.
+    pub dimension: Dimension,
     /// A description of the values in the column.
     meaning: &'static str,
     /// Labels in the paper, separated by commas.
@@ -50,6 +52,7 @@ macro_rules! columns {
             name: $name,
             symbol: $symbol,
             unit: $unit,
+            dimension: $crate::Dimension::of($unit),
             meaning: concat!($($meaning),+),
             equations: concat!($($equations)?),
         };

@@ -4,7 +4,7 @@ use grazing_continuation::bifurcation::CodimensionTwo;
 use serde::{Deserialize, Serialize};
 
 use crate::table::Row;
-use crate::{Cell, Column, Frame, VARIED, columns, tables, words};
+use crate::{Cell, Column, Dimension, Dimensioned, Field, Frame, VARIED, columns, tables, words};
 
 words! {
     /// How a resonance of a member was found.
@@ -55,6 +55,13 @@ macro_rules! of_members {
                 let mut cells = Vec::from(self.varied.map(Cell::from));
                 cells.extend([$(Cell::from(self.$field.clone()),)*]);
                 cells
+            }
+        }
+
+        /// The constants that vary are in the file's units.
+        impl Dimensioned for $row {
+            fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+                $(self.$field.number(&mut |number| visit(columns::$column.dimension, number));)*
             }
         }
     )+};

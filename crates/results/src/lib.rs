@@ -28,6 +28,7 @@ extern crate self as grazing_results;
 pub mod branches;
 mod cell;
 pub mod columns;
+mod dimension;
 pub mod family;
 mod frame;
 pub mod kinds;
@@ -42,6 +43,7 @@ pub mod title;
 
 pub use cell::{Cell, Stability, brief};
 pub use columns::Column;
+pub use dimension::{Dimension, Dimensioned, Field};
 pub use frame::{Frame, span};
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol, with_unit};
 pub use table::{Row, Table, TablePlan, Tables};

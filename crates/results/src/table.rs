@@ -114,7 +114,8 @@ pub trait Tables {
     }
 }
 
-/// Declares row types: each field with its type and its column.
+/// Declares row types: each field with its type and its column, whose dimension is that of the field's number
+/// ([`Dimensioned`](crate::Dimensioned)).
 #[macro_export]
 macro_rules! rows {
     ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)+ })+) => {$(
@@ -132,6 +133,14 @@ macro_rules! rows {
 
             fn cells(&self) -> Vec<$crate::Cell> {
                 vec![$(self.$field.clone().into(),)+]
+            }
+        }
+
+        impl $crate::Dimensioned for $row {
+            fn each_number(&mut self, visit: &mut dyn FnMut($crate::Dimension, &mut f64)) {
+                $($crate::Field::number(&mut self.$field, &mut |number| {
+                    visit($crate::columns::$column.dimension, number);
+                });)+
             }
         }
     )+};

@@ -3,8 +3,8 @@
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, FitError, Measurement};
 use grazing_model::smooth::Units;
-use grazing_results::Frame;
 use grazing_results::branches::OneParameter;
+use grazing_results::{Dimension, Frame};
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 
@@ -201,36 +201,13 @@ impl InUnits for Escape {
 
 impl InUnits for OneParameter {
     fn in_units(&self, units: &Units) -> Self {
-        let Units { length, time, .. } = *units;
         let mut own = self.clone();
-        own.each_row(&mut |row| row.set_parameters(units.parameters(row.parameters())));
-        for point in &mut own.branches {
-            point.x *= length;
-            point.impact_velocity *= units.velocity();
-        }
-        for bifurcation in &mut own.bifurcations {
-            bifurcation.x *= length;
-            bifurcation.impact_velocity *= units.velocity();
-        }
-        own.attractor.iter_mut().for_each(|visit| visit.x *= length);
-        for reading in &mut own.readings {
-            reading.impact_velocity *= units.velocity();
-            reading.peak_to_peak *= length;
-        }
-        for reading in &mut own.motion {
-            reading.x *= length;
-            reading.impact_velocity *= units.velocity();
-            reading.peak_to_peak *= length;
-        }
-        for point in &mut own.portraits {
-            point.time *= time;
-            point.x *= length;
-            point.y *= units.velocity();
-        }
+        let in_units = &mut |dimension: Dimension, number: &mut f64| *number *= dimension.size(units);
+        own.each_row(&mut |row| row.each_number(in_units));
         let [across, held] = own.exchanged([units.primary, units.secondary]);
         own.at *= held;
         for frame in own.magnified.iter_mut().chain([&mut own.frame]) {
-            *frame = Frame { x: frame.x.map(|x| x * across), y: frame.y.map(|x| x * length) };
+            *frame = Frame { x: frame.x.map(|x| x * across), y: frame.y.map(|x| x * units.length) };
         }
         own.broken.iter_mut().for_each(|(_, at, _)| *at *= across);
         own

@@ -6,8 +6,8 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
-use grazing_results::VARIED;
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
+use grazing_results::{Dimensioned, VARIED};
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use grazing_unfold::diagram::CodimensionTwoPoint;
@@ -229,12 +229,11 @@ impl Rows {
         varied: [f64; VARIED],
         (n, found_by): (u32, FoundBy),
     ) -> Resonance {
-        let [primary, secondary] = self.units.parameters(parameters);
-        let point = point.in_units(&self.units);
+        let [primary, secondary] = parameters;
         let (map, stability) = (&point.grazing.map, point.stability_coefficients());
-        let [a12_prime, kappa_prime] = slopes(&point);
-        let [c_sn, c_pd] = by_the_theorem(&point);
-        Resonance {
+        let [a12_prime, kappa_prime] = slopes(point);
+        let [c_sn, c_pd] = by_the_theorem(point);
+        let row = Resonance {
             varied,
             loops: point.loops(),
             wall: self.wall,
@@ -265,17 +264,19 @@ impl Rows {
             pd_criticality: point.limit_map().criticality(),
             holds: c_sn.is_finite(),
             failing: String::new(),
-        }
+        };
+        row.with_dimensions(&self.units)
     }
 
     fn points(&self, diagram: &Diagram) -> Vec<Point> {
         let Self { varied, wall, .. } = *self;
         let point = |point: &CodimensionTwoPoint| {
             let at = point.unknowns();
-            let [primary, secondary] = self.units.parameters([at[unknown::PRIMARY], at[unknown::SECONDARY]]);
-            let impact_velocity = at[unknown::VELOCITY] * self.units.velocity();
+            let [primary, secondary] = [at[unknown::PRIMARY], at[unknown::SECONDARY]];
+            let impact_velocity = at[unknown::VELOCITY];
             let (kind, loops, n) = (point.kind, point.loops, point.n);
-            Point { varied, kind, loops, wall, n, secondary, primary, impact_velocity }
+            let row = Point { varied, kind, loops, wall, n, secondary, primary, impact_velocity };
+            row.with_dimensions(&self.units)
         };
         diagram.codimension_two.iter().map(point).collect()
     }
@@ -292,11 +293,10 @@ impl Rows {
         };
         let parameters = |at: &ArcPoint| at.orbit.oscillator().parameters();
         let curve = |at: &ArcPoint| {
-            let point = at.point.in_units(&self.units);
-            let [primary, secondary] = self.units.parameters(parameters(at));
+            let [primary, secondary] = parameters(at);
             let varied = varied(at.way);
-            let stability = point.stability_coefficients();
-            let [mut c_sn, mut c_pd] = by_the_theorem(&point);
+            let stability = at.point.stability_coefficients();
+            let [mut c_sn, mut c_pd] = by_the_theorem(&at.point);
             // An infinite coefficient is written as NaN.
             let meaning = at.zero.map(meaning);
             if matches!(meaning, Some(Degeneracy::InfiniteSaddleNode | Degeneracy::Infinite)) {
@@ -305,7 +305,7 @@ impl Rows {
             if matches!(meaning, Some(Degeneracy::InfinitePeriodDoubling | Degeneracy::Infinite)) {
                 c_pd = f64::NAN;
             }
-            CurvePoint {
+            let row = CurvePoint {
                 varied,
                 loops,
                 wall: self.wall,
@@ -319,7 +319,8 @@ impl Rows {
                 c_sn,
                 c_pd,
                 end: String::new(),
-            }
+            };
+            row.with_dimensions(&self.units)
         };
         let mut curve: Vec<CurvePoint> = arc.points.iter().map(curve).collect();
         if let Some(last) = curve.last_mut() {
@@ -332,10 +333,11 @@ impl Rows {
         }
         let degenerate = arc.points.iter().filter_map(|at| {
             let zero = at.zero?;
-            let [primary, secondary] = self.units.parameters(parameters(at));
+            let [primary, secondary] = parameters(at);
             let varied = varied(at.way);
             let (quantity, meaning, curve, wall) = (zero.to_string(), meaning(zero), 0, self.wall);
-            Some(Degenerate { varied, loops, wall, n, curve, quantity, meaning, secondary, primary })
+            let row = Degenerate { varied, loops, wall, n, curve, quantity, meaning, secondary, primary };
+            Some(row.with_dimensions(&self.units))
         });
         let to = match (&arc.end, arc.points.last()) {
             (ArcEnd::Across, Some(last)) => {

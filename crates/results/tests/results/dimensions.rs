@@ -1,0 +1,173 @@
+//! Rows in other units.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_model::smooth::Units;
+use grazing_results::branches::{PortraitKind, PortraitPoint};
+use grazing_results::family::{Degeneracy, Degenerate};
+use grazing_results::place::PlaceAttractor;
+use grazing_results::plane::{PlanePoint, SequenceResonance, StraightenedPoint};
+use grazing_results::readings::Reading;
+use grazing_results::{Column, Dimension, Dimensioned, Row, Stability, columns};
+
+/// Units that are powers of four, as those of oscillators are.
+const UNITS: Units = Units { length: 1024.0, time: 0.0625, primary: 64.0, secondary: 0.25 };
+
+/// The size of a unit as its words say it: products and quotients of words, one after the other.
+fn said(unit: &str) -> f64 {
+    let factor = |word: &str| {
+        let (word, power) = word.split_once('^').unwrap_or((word, "1"));
+        let size = match word {
+            "length" => UNITS.length,
+            "time" => UNITS.time,
+            "{primary}" => UNITS.primary,
+            "{secondary}" => UNITS.secondary,
+            _ => 1.0,
+        };
+        libm::pow(size, power.parse().expect("a power is a number"))
+    };
+    let product = |text: &str| text.split(['*', ' ']).map(factor).product::<f64>();
+    let mut parts = unit.split('/').map(|part| part.split_once(['*', ' ']).unwrap_or((part, "1")));
+    let (first, rest) = parts.next().expect("a unit has words");
+    parts.fold(product(first) * product(rest), |size, (below, above)| size / product(below) * product(above))
+}
+
+/// Checks that a row goes to other units by its columns' units, and comes back as it was.
+fn assert_converted<R: Row + Dimensioned + Clone + PartialEq + std::fmt::Debug>(row: &R) {
+    let converted = row.clone().with_dimensions(&UNITS);
+    let numbers = |row: &R| row.cells().iter().map(grazing_results::Cell::number).collect::<Vec<_>>();
+    let columns: &[Column] = R::COLUMNS;
+    for ((column, before), after) in columns.iter().zip(numbers(row)).zip(numbers(&converted)) {
+        assert_eq!(
+            after,
+            before.map(|before| before * said(column.unit)),
+            "{}: {}",
+            column.name,
+            column.unit
+        );
+    }
+    assert_eq!(&converted.without_dimensions(&UNITS), row);
+}
+
+#[test]
+fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_they_were() {
+    let point = PlanePoint {
+        kind: Bifurcation::Grazing,
+        loops: 2,
+        wall: 1,
+        n: 3,
+        secondary: 0.7,
+        primary: -1.3,
+        impact_velocity: 0.11,
+        impact_phase: 2.9,
+        trace: 0.3,
+        determinant: 0.8,
+        max_interior_x: -0.01,
+        stable: Stability::Stable,
+        admissible: true,
+        arc: 5,
+        lost: "why".to_owned(),
+    };
+    assert_converted(&point);
+    let straightened = StraightenedPoint {
+        panel: 1,
+        loops: 1,
+        n: 2,
+        kind: Bifurcation::SaddleNode,
+        arc: 1,
+        eta: 1e-3,
+        distance: -282.4,
+        error: 1e-9,
+        limit: 12.15,
+    };
+    assert_converted(&straightened);
+    let portrait = PortraitPoint {
+        diagram: 1,
+        portrait: 1,
+        loops: 1,
+        secondary: 0.9,
+        primary: 0.3,
+        kind: PortraitKind::Attractor,
+        time: 1.7,
+        x: -0.6,
+        y: 0.2,
+    };
+    assert_converted(&portrait);
+    let attractor = PlaceAttractor {
+        place: 1,
+        secondary: 0.9,
+        primary: 0.3,
+        attractor: 1,
+        states: 24,
+        share: 0.7,
+        motion: "periodic",
+        periods: 3.0,
+        impacts: 0.3,
+        second: 0.1,
+        rests: 0.2,
+        exponent: -0.4,
+        exponent_error: 0.01,
+    };
+    assert_converted(&attractor);
+    let reading = Reading {
+        diagram: 1,
+        loops: 1,
+        impacts: 1,
+        wall: 1,
+        secondary: 0.9,
+        primary: 0.3,
+        impact_velocity: 0.4,
+        impact_phase: 1.1,
+        peak_to_peak: 0.8,
+        impulse: 0.5,
+        force: 0.6,
+        power: 0.7,
+        stable: Stability::Unstable,
+        admissible: false,
+        branch: 0,
+    };
+    assert_converted(&reading);
+    let resonance = SequenceResonance {
+        number: 1,
+        base_impacts: 1,
+        base_periods: 1,
+        rounds: 2,
+        impacts: 3,
+        periods: 4,
+        secondary: 0.48,
+        primary: 0.98,
+        saddle_node: -228.0,
+        period_doubling: 536.6,
+        fails: String::new(),
+    };
+    assert_converted(&resonance);
+    let degenerate = Degenerate {
+        varied: [f64::NAN, f64::NAN, 0.02],
+        loops: 1,
+        wall: 0,
+        n: 3,
+        curve: 1,
+        quantity: "s".to_owned(),
+        meaning: Degeneracy::Meeting,
+        secondary: 0.7,
+        primary: 0.3,
+    };
+    let converted = degenerate.clone().with_dimensions(&UNITS);
+    assert_eq!([converted.primary, converted.secondary], [0.3 * UNITS.primary, 0.7 * UNITS.secondary]);
+    // The constants that vary have units of their own.
+    assert_eq!(converted.varied[2], degenerate.varied[2]);
+}
+
+#[test]
+fn a_dimension_is_the_same_however_its_unit_is_written() {
+    assert_eq!(Dimension::of("mass*length^2/time^3"), Dimension::of("length^2*mass/time/time/time"));
+    assert_eq!(Dimension::of("1/length"), Dimension::of("rad/length"));
+    assert_ne!(Dimension::of("length/{primary}"), Dimension::of("length/{secondary}"));
+    assert_eq!(columns::C_SN.dimension, Dimension::of("{primary}/{secondary}^2"));
+    assert_eq!(columns::C_SN.dimension.size(&UNITS), 64.0 / 0.25 / 0.25);
+}
+
+#[test]
+#[should_panic(expected = "no unit")]
+fn a_word_that_is_no_unit_is_refused() {
+    let _ = Dimension::of("length/tme");
+}
