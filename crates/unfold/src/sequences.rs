@@ -24,7 +24,7 @@ use crate::Scope;
 use crate::curves::{CodimensionTwoPoint, DiagramCurve, Net, drawn};
 use crate::diagram::Diagram;
 use crate::generations::{Base, Later, LaterResonance, bases, later};
-use crate::long_time::{Horizon, LongOrbit, random_start};
+use crate::long_time::{Horizon, LongOrbit, Patience, random_start};
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::Unlocated;
@@ -82,7 +82,11 @@ impl Places {
     const SEVERAL: Self = Self { rows: 32, columns: 64, horizon: Horizon::drifting(64, 24) };
     /// Those with one impact at each of two walls are a few surfaces, along which they are followed from any of their points
     /// that motion comes near.
-    const ONCE_AT_EACH: Self = Self { rows: 16, columns: 32, horizon: Horizon::drifting(16, 8) };
+    const ONCE_AT_EACH: Self = Self {
+        rows: 16,
+        columns: 32,
+        horizon: Horizon { transient: 16, counted: 8, patience: Patience::Drifting, longest: 0 },
+    };
 
     /// The value of η of a row.
     fn level(&self, window: Window, row: u32) -> f64 {

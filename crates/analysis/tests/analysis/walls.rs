@@ -37,6 +37,12 @@ fn holds(diagram: &Diagram, loops: u32, place: [f64; 2]) -> Option<bool> {
     at(place).filter(|here| beside.iter().all(|there| *there == Some(*here)))
 }
 
+/// The diagram with the regions of solutions that hit each wall once in the place of its own.
+fn both(unfolded: &Unfolded) -> Diagram {
+    let regions = unfolded.sequences.solutions.iter().flat_map(|found| found.regions.clone());
+    Diagram { regions: regions.collect(), ..unfolded.diagram.clone() }
+}
+
 #[test]
 fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
     let like = "[[walls]]\nposition = \"1\"\nrestitution = \"0.75\"\n[[walls]]\nposition = \"-1\"\nrestitution = \"0.75\"\n";
@@ -50,7 +56,7 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
         let horizon = Horizon { transient: 120, counted: 24, patience: Patience::Drifting, longest: 0 };
         let starts = Starts { states: 4, horizon, ..Starts::default() };
         // Places at which motion without impacts, and with one impact at either wall, was seen; solutions; and regions.
-        let (mut settled, mut solved, mut held) = ([0; 3], 0, 0);
+        let (mut settled, mut solved, mut held, mut at_both) = ([0; 3], 0, 0, 0);
         for _ in 0..60 {
             let place = unfolded.diagram.scope.window.parameters([uniform(), uniform()]);
             let here = unfolded.diagram.oscillator.with_parameters(place);
@@ -58,6 +64,12 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
                 Place::compute(&here, &unfolded.diagram.scope, &starts, &Silent).expect("nobody stops it");
             for one in &found.attractors {
                 let (loops, wall) = match one.fate.numbers() {
+                    Some((2, periods)) if periods <= 2 && one.fate.second * f64::from(periods) == 1.0 => {
+                        let said = holds(&both(&unfolded), periods, place);
+                        assert_ne!(said, Some(false), "{name}: both walls in {periods} periods at {place:?}");
+                        at_both += 1;
+                        continue;
+                    }
                     Some((0, 0)) => (0, 0),
                     Some((1, loops)) if loops <= 2 => (loops, one.stops[0]),
                     _ => continue,
@@ -91,5 +103,6 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
             }
         }
         assert!(settled[0] > 4 && solved > 10 && held > 2, "{name}: {settled:?} {solved} {held}");
+        assert!(at_both > 10, "{name}: {at_both}");
     }
 }

@@ -36,4 +36,5 @@ mod snapshots;
 mod tables;
 mod unfold;
 mod visual;
+mod walls;
 mod workflow;
