@@ -350,6 +350,12 @@ impl Unfolded {
         own().chain(others.filter(is_new))
     }
 
+    /// The wall at which a resonance is named: none if it is the same at the other one, or there is only one.
+    fn named_wall(&self, at: &AtResonance) -> u32 {
+        let mut others = self.from_each_wall().flat_map(|seen| &seen.resonances);
+        if others.any(|other| other.wall != at.wall && other.is_like(at)) { 0 } else { at.wall }
+    }
+
     /// The two-parameter diagram, with a panel for each resonance that has curves, numbered as in the
     /// table of magnifications, and lines for the one-parameter diagrams.
     pub fn plane_diagram(&self) -> PlaneDiagram {
@@ -357,7 +363,7 @@ impl Unfolded {
         let panels = (1..).zip(self.unfolding()).filter_map(|(panel, (at, curves))| {
             let Curves { window, magnified, .. } = curves;
             let shown = !magnified.is_empty() && is_range(window.primary) && is_range(window.secondary);
-            shown.then(|| panel_of(panel, at, curves))
+            shown.then(|| panel_of(panel, (at, self.named_wall(at)), curves))
         });
         let sections = self.diagrams.iter().map(|diagram| Section {
             ends: diagram.frame.x.map(|across| diagram.exchanged([across, diagram.at]).into()),
@@ -390,11 +396,10 @@ impl Unfolded {
 
     /// The curves in straightened coordinates; panels have the numbers of the magnifications.
     pub fn straightened(&self) -> StraightenedCurves {
-        plane::straightened(
-            (1..)
-                .zip(self.unfolding())
-                .map(|(panel, (at, curves))| (panel_of(panel, at, curves), curves.straightened.as_slice())),
-        )
+        plane::straightened((1..).zip(self.unfolding()).map(|(panel, (at, curves))| {
+            let panel = panel_of(panel, (at, self.named_wall(at)), curves);
+            (panel, curves.straightened.as_slice())
+        }))
     }
 
     /// The rows of quantities along the grazing curve.
@@ -435,10 +440,10 @@ tables! {
     }
 }
 
-/// The panel that magnifies a resonance.
-fn panel_of(panel: u32, at: &AtResonance, curves: &Curves) -> MagnifiedPanel {
+/// The panel that magnifies a resonance, at one of two walls that are unlike.
+fn panel_of(panel: u32, (at, wall): (&AtResonance, u32), curves: &Curves) -> MagnifiedPanel {
     let coefficients = curves.findings.map(|known| known.coefficient.theorem.value);
-    let (loops, wall, n) = (at.loops, at.wall, Some(at.n));
+    let (loops, n) = (at.loops, Some(at.n));
     MagnifiedPanel { panel, frame: curves.window.into(), loops, wall, n, coefficients }
 }
 

@@ -102,6 +102,7 @@ fn curves(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String
     };
     let lines = curves.iter().map(|(curve, rows)| {
         let mut line = vec![curve.to_string(), rows[0].loops.to_string(), rows[0].n.to_string()];
+        line.extend((rows[0].wall > 0).then(|| rows[0].wall.to_string()));
         line.extend(rows[0].varied[slot + 1..].iter().map(|value| brief(*value, DIGITS)));
         line.extend([rows.len().to_string(), range(rows, &|row| row.varied[slot])]);
         line.extend([
@@ -113,6 +114,7 @@ fn curves(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String
     });
     let others = plan.varied[1..].iter().map(|other| other.name.as_str());
     let mut header = vec!["curve", "p", "n"];
+    header.extend((curves[0].1[0].wall > 0).then_some("wall"));
     header.extend(others);
     let secondary = with_unit(&format!("{}*", names.secondary), names.named_unit("{secondary}").as_deref());
     let coefficient = names.named_unit("{primary}/{secondary}^2");

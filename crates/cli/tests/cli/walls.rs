@@ -2,8 +2,8 @@
 
 use crate::program::{folder_with, grazing, read};
 
-/// A linear oscillator between unlike walls, in a narrow window.
-const BETWEEN: &str = "name = \"Between\"\nparameters = { zeta = 0.05, r = 0.7, gap = 1.3 }\nprimary = { name = \"A\", range = [0.4, 1.1] }\n\
+/// A linear oscillator between walls with unlike restitutions, in a narrow window.
+const BETWEEN: &str = "name = \"Between\"\nparameters = { zeta = 0.05, r = 0.7, gap = 1.0 }\nprimary = { name = \"A\", range = [0.4, 1.1] }\n\
     secondary = { name = \"omega\", range = [0.66, 0.72] }\n\
     motion = { force = \"-2*zeta*v - x + A*cos(omega*t)\", frequency = \"omega\" }\n\
     impact = { restitution = \"r\", duration = \"0\" }\nanalysis = { loops = [1] }\n\
@@ -22,7 +22,7 @@ fn column<'a>(table: &'a str, name: &str) -> Vec<&'a str> {
 
 #[test]
 fn measurements_between_walls_are_compared_with_what_hits_either_or_both() {
-    let data = "A,A_error,omega,omega_error,seen,periods,impacts\n0.45,0.001,0.7,0.001,,1,0\n0.95,0.001,0.7,0.001,,1,2\n";
+    let data = "A,A_error,omega,omega_error,seen,periods,impacts\n0.45,0.001,0.7,0.001,none,,\n0.95,0.001,0.7,0.001,periodic,1,2\n";
     let folder = folder_with(&[("my.toml", BETWEEN), ("seen.csv", data)]);
     let run = grazing(folder.path(), &["unfold", "my.toml", "--data", "seen.csv", "--output", "out"]);
     assert_eq!(run.code, Some(0), "{} {}", run.output, run.messages);
@@ -37,13 +37,15 @@ fn measurements_between_walls_are_compared_with_what_hits_either_or_both() {
     let measured = read(folder.path(), "out/data/measured.csv");
     assert_eq!(column(&measured, "agreement"), ["agrees", "agrees"], "{measured}");
     let page = read(folder.path(), "out/report.html");
-    assert!(page.contains("wall 2: ") && page.contains("with the motion above it"), "{page}");
+    assert!(
+        page.contains("wall 2: ") && page.contains("with the motion above it") && page.contains("at wall 2")
+    );
 }
 
 #[test]
 fn a_family_between_walls_has_the_resonances_of_each() {
     let folder = folder_with(&[("my.toml", BETWEEN)]);
-    let run = grazing(folder.path(), &["unfold", "my.toml", "--vary", "r=0.7,0.75", "--output", "out"]);
+    let run = grazing(folder.path(), &["unfold", "my.toml", "--vary", "r=0.7:0.75:2", "--output", "out"]);
     assert_eq!(run.code, Some(0), "{} {}", run.output, run.messages);
     let resonances = read(folder.path(), "out/data/family_resonances.csv");
     for wall in ["1", "2"] {

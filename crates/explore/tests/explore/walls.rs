@@ -85,8 +85,18 @@ fn both_walls_are_in_one_plane_as_unfold_draws_it() {
         };
         assert_eq!([own("graz"), own("SN"), own("PD")], [1, 1, 1], "wall {wall}: {kept:?}");
     }
-    let regions = last["regions"].as_array().expect("a list").len();
-    assert_eq!(regions, count(drawn.regions.iter().map(|row| &row.region)));
+    let regions = last["regions"].as_array().expect("a list");
+    let [at_one, at_both] = [
+        count(drawn.regions.iter().map(|row| &row.region)),
+        count(drawn.several.iter().map(|row| &row.region)),
+    ];
+    assert_eq!(regions.len(), at_one + at_both);
+    // Motion that strikes both, and its curves.
+    let both =
+        regions.iter().filter(|region| region["walls"] == "1-2" && region["kind"] == "several-impacts");
+    assert!(at_both > 0 && both.count() == at_both);
+    let followed = curves.keys().filter(|key| key.contains("both walls")).count();
+    assert_eq!(followed, count(drawn.at_both_walls.iter().map(|row| &row.arc)));
     assert_eq!(last["points"].as_array().expect("a list").len(), drawn.points.len());
     assert_eq!(last["resonances"].as_array().expect("a list").len(), 2);
     // Places exactly on the curves of the second wall are found from there; by symmetry they are those of the first.
