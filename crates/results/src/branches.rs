@@ -93,7 +93,7 @@ macro_rules! diagram_rows {
             fn place(&mut self, diagram: u32, exchanged: bool) {
                 self.diagram = diagram;
                 if exchanged {
-                    core::mem::swap(&mut self.primary, &mut self.secondary);
+                    Dimensioned::exchange(self);
                 }
             }
         }

@@ -51,6 +51,11 @@ impl Dimension {
         Self { exponents }
     }
 
+    /// Which of the two parameters numbers of this dimension are values of: 0 for the primary one, 1 for the secondary.
+    fn parameter(self) -> Option<usize> {
+        [Self::of("{primary}"), Self::of("{secondary}")].iter().position(|parameter| *parameter == self)
+    }
+
     /// The size of the unit of such numbers. The mass is counted in a unit of its own.
     #[must_use]
     pub fn size(self, units: &Units) -> f64 {
@@ -84,6 +89,23 @@ const fn place(text: &[u8], begin: usize, end: usize, words: &[&str]) -> Option<
 pub trait Dimensioned: Sized {
     /// Visits every number with the dimension of its column.
     fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64));
+
+    /// Exchanges the values of the two parameters, with their errors: a row has as many numbers of one as of the other.
+    fn exchange(&mut self) {
+        let mut values = [const { Vec::new() }; 2];
+        self.each_number(&mut |dimension, number| {
+            if let Some(which) = dimension.parameter() {
+                values[which].push(*number);
+            }
+        });
+        let mut others = values.map(Vec::into_iter);
+        others.reverse();
+        self.each_number(&mut |dimension, number| {
+            if let Some(value) = dimension.parameter().and_then(|which| others[which].next()) {
+                *number = value;
+            }
+        });
+    }
 
     /// A dimensionless row in these units.
     #[must_use]

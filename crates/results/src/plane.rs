@@ -1,11 +1,9 @@
 //! Two-parameter diagrams, and magnifications of them.
 
-use std::mem::swap;
-
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
 use crate::measured::MeasuredPoint;
-use crate::{Frame, Stability, rows, tables, words};
+use crate::{Dimensioned, Frame, Stability, rows, tables, words};
 
 words! {
     /// The kinds of regions of the parameter plane, by the solutions that are stable and admissible
@@ -172,16 +170,13 @@ impl PlaneDiagram {
     /// The diagram with its axes exchanged: the secondary parameter takes the role of the primary one.
     #[must_use]
     pub fn swapped(mut self) -> Self {
-        self.curves.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        self.points.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        self.own.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        self.several.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        self.at_both_walls.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        for row in &mut self.measured {
-            swap(&mut row.primary, &mut row.secondary);
-            swap(&mut row.primary_error, &mut row.secondary_error);
-        }
+        self.curves.iter_mut().for_each(Dimensioned::exchange);
+        self.points.iter_mut().for_each(Dimensioned::exchange);
+        self.regions.iter_mut().for_each(Dimensioned::exchange);
+        self.own.iter_mut().for_each(Dimensioned::exchange);
+        self.several.iter_mut().for_each(Dimensioned::exchange);
+        self.at_both_walls.iter_mut().for_each(Dimensioned::exchange);
+        self.measured.iter_mut().for_each(Dimensioned::exchange);
         self.magnified.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
         self.sections.iter_mut().for_each(|section| section.ends = section.ends.map(|(a, b)| (b, a)));
         self.frame = self.frame.swapped();
@@ -193,9 +188,9 @@ impl Magnifications {
     /// The magnifications with their axes exchanged.
     #[must_use]
     pub fn swapped(mut self) -> Self {
-        self.curves.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        self.points.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
-        self.regions.iter_mut().for_each(|row| swap(&mut row.primary, &mut row.secondary));
+        self.curves.iter_mut().for_each(Dimensioned::exchange);
+        self.points.iter_mut().for_each(Dimensioned::exchange);
+        self.regions.iter_mut().for_each(Dimensioned::exchange);
         self.panels.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
         self
     }

@@ -4,6 +4,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::smooth::Units;
 use grazing_results::branches::{PortraitKind, PortraitPoint};
 use grazing_results::family::{Degeneracy, Degenerate};
+use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::place::PlaceAttractor;
 use grazing_results::plane::{PlanePoint, SequenceResonance, StraightenedPoint};
 use grazing_results::readings::Reading;
@@ -68,6 +69,10 @@ fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_
         lost: "why".to_owned(),
     };
     assert_converted(&point);
+    let mut exchanged = point.clone();
+    exchanged.exchange();
+    let [primary, secondary] = [point.secondary, point.primary];
+    assert_eq!(exchanged, PlanePoint { primary, secondary, ..point.clone() });
     let straightened = StraightenedPoint {
         panel: 1,
         loops: 1,
@@ -140,6 +145,24 @@ fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_
         fails: String::new(),
     };
     assert_converted(&resonance);
+    let mut measured = MeasuredPoint {
+        line: 3,
+        secondary: 0.7,
+        secondary_error: 0.01,
+        primary: 0.3,
+        primary_error: 0.02,
+        kind: SeenKind::NonImpacting,
+        seen: String::new(),
+        agreement: Agreement::Agrees,
+        theory: String::new(),
+        regions: String::new(),
+        distance: 1.5,
+        reason: String::new(),
+    };
+    assert_converted(&measured);
+    measured.exchange();
+    let MeasuredPoint { primary, primary_error, secondary, secondary_error, .. } = measured;
+    assert_eq!([primary, primary_error, secondary, secondary_error], [0.7, 0.01, 0.3, 0.02]);
     let degenerate = Degenerate {
         varied: [f64::NAN, f64::NAN, 0.02],
         loops: 1,
