@@ -59,5 +59,7 @@ mod tests {
         assert!(text.contains("\n## one.csv, two.csv\n\nA row is a point.\n"), "{text}");
         assert!(text.contains("| `F_0` | $F_{0}$ | F_0 | primary parameter"), "{text}");
         assert!(text.contains("| `impact_velocity` | $y_{\\mathrm{imp}}$ | length/time |"), "{text}");
+        // The column of walls is left out where there is one.
+        assert!(!text.contains("`wall`") && !text.contains("``"), "{text}");
     }
 }
