@@ -153,7 +153,7 @@ fn motion_between_unlike_and_moving_stops_is_in_a_region_where_it_settles_on_one
         }
     }
     assert!(
-        settled > 60 && inside >= settled && undecided < places / 10,
+        settled > 30 && inside >= settled && undecided < places / 10,
         "{places} {inside} {settled} {undecided}"
     );
 }
