@@ -248,7 +248,6 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
         let reason = region.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
         for (ring, vertices) in (0..).zip(&region.rings) {
             rows.extend(vertices.iter().map(|&[primary, secondary]| {
-                let reason = reason.clone();
                 let row = RegionVertex {
                     region: number,
                     kind,
@@ -258,7 +257,7 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
                     secondary,
                     primary,
                     ring,
-                    reason,
+                    reason: reason.clone(),
                 };
                 row.with_dimensions(&axes.units)
             }));

@@ -80,9 +80,9 @@ fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_
         kind: Bifurcation::SaddleNode,
         arc: 1,
         eta: 1e-3,
-        distance: -282.4,
+        distance: -281.7,
         error: 1e-9,
-        limit: 12.15,
+        limit: -280.9,
     };
     assert_converted(&straightened);
     let portrait = PortraitPoint {

@@ -171,7 +171,9 @@ impl Slicer {
             };
             let known = passing(slice);
             let has = |index: &usize| self.has(&slice.branches[*index], condition, &chord);
-            if !known.is_empty() && known.iter().all(has) {
+            // A branch that has the pitchfork need not have led to the other one, which begins there.
+            let least = if condition == Condition::SymmetryBreaking { 2 } else { 1 };
+            if known.len() >= least && known.iter().all(has) {
                 continue;
             }
             let locate =
