@@ -124,6 +124,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     let forgotten = forgotten.map(|words| format!("grazing curve: {words}"));
     tell("notes", seen.iter().flat_map(plane::lost).chain(forgotten).collect());
     let mut shown = all.regions;
+    let of_one_impact = shown.len();
     if !coarse && (description.generations() > 1 || description.has_two_walls()) {
         let (regions, curves) = several(&axes, &seen[0], description.generations(), events);
         shown.extend(regions);
@@ -131,7 +132,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
         tell("regions", json!(shown));
     }
     // Regions of stable solutions are shown all the same.
-    let empty = shown.is_empty() && seen.iter().all(|diagram| diagram.nothing().is_some());
+    let empty = shown.len() == of_one_impact && seen.iter().all(|diagram| diagram.nothing().is_some());
     if let Some(reason) = seen[0].nothing().filter(|_| empty) {
         let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);
         tell("nothing", json!({"found": found, "question": question}));
