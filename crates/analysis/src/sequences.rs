@@ -15,15 +15,10 @@ use grazing_unfold::sequences::{Sequence, Sequences};
 /// The rows of solutions with several impacts, in these units, as the wall with this number sees them, if there are two.
 pub fn rows(found: &Sequences, units: &Units, wall: u32) -> SequenceDiagram {
     let resonances = (1..).zip(&found.resonances).map(|(number, at)| resonance(number, at, units));
-    let all = || found.solutions.iter();
-    let curves = all().flat_map(|solutions| solutions.curves.iter().map(move |curve| (solutions, curve)));
     SequenceDiagram {
         resonances: resonances.collect(),
-        curves: (0..)
-            .zip(curves)
-            .flat_map(|(arc, (of, curve))| points(arc, (of, wall), curve, units))
-            .collect(),
-        regions: regions(all(), units, wall),
+        curves: numbered(found).flat_map(|(arc, of, curve)| points(arc, (of, wall), curve, units)).collect(),
+        regions: regions(found.solutions.iter(), units, wall),
     }
 }
 
@@ -36,11 +31,17 @@ pub fn walls(of: &Sequence, wall: u32) -> String {
     all.collect::<Vec<_>>().join("-")
 }
 
-/// The curves of solutions that hit both of two walls, among those of solutions with several impacts; phases of impacts
-/// are not among the rows.
-pub fn at_both_walls(rows: &[SequencePoint]) -> Vec<PlanePoint> {
-    let both = rows.iter().filter(|row| ["1", "2"].iter().all(|wall| row.walls.contains(wall)));
-    let point = |row: &SequencePoint| PlanePoint {
+/// Whether solutions hit both of two walls.
+pub fn hit_both(of: &Sequence) -> bool {
+    [0, 1].iter().all(|stop| of.stops.contains(stop))
+}
+
+/// The curves of solutions that hit both of two walls, with the numbers that they have among all of [`rows`], but without
+/// phases of impacts.
+pub fn at_both_walls(found: &Sequences, units: &Units, wall: u32) -> Vec<PlanePoint> {
+    let both = numbered(found).filter(|(_, of, _)| hit_both(of));
+    let rows = both.flat_map(|(arc, of, curve)| points(arc, (of, wall), curve, units));
+    let point = |row: SequencePoint| PlanePoint {
         kind: row.kind,
         loops: row.periods,
         wall: 0,
@@ -55,9 +56,16 @@ pub fn at_both_walls(rows: &[SequencePoint]) -> Vec<PlanePoint> {
         stable: row.stable,
         admissible: row.admissible,
         arc: row.arc,
-        lost: row.lost.clone(),
+        lost: row.lost,
     };
-    both.map(point).collect()
+    rows.map(point).collect()
+}
+
+/// All curves, numbered from 0, each with the solutions that it is of.
+fn numbered(found: &Sequences) -> impl Iterator<Item = (u32, &Sequence, &DiagramCurve)> {
+    let all = found.solutions.iter();
+    let curves = all.flat_map(|of| of.curves.iter().map(move |curve| (of, curve)));
+    (0..).zip(curves).map(|(arc, (of, curve))| (arc, of, curve))
 }
 
 fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonance {

@@ -370,11 +370,10 @@ impl Unfolded {
             name: format!("diagram {}", diagram.diagram),
             thin: true,
         });
-        let SequenceDiagram { curves, regions: several, .. } = self.sequences();
         let seen = (&self.diagram, self.other.as_ref().map(|other| &other.diagram));
         PlaneDiagram {
-            several,
-            at_both_walls: sequences::at_both_walls(&curves),
+            several: self.sequences().regions,
+            at_both_walls: sequences::at_both_walls(&self.sequences, &self.axes.units, self.diagram.wall),
             ..plane::plane_diagram(&self.axes, seen, panels.collect(), sections.collect())
         }
     }

@@ -5,20 +5,17 @@ use std::collections::BTreeMap;
 use grazing_analysis::along::forgotten;
 use grazing_analysis::nothing::Nothing;
 use grazing_analysis::plane::{self, Axes};
-use grazing_analysis::sequences::at_both_walls;
+use grazing_analysis::sequences;
 use grazing_analysis::unfolded::{AtResonance, Prepared};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
-use grazing_results::plane::{
-    OwnPoint, PlanePoint, RegionVertex, SequenceDiagram, SequenceVertex, SpecialPoint,
-};
+use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, SpecialPoint};
 use grazing_source::Mistake;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
-use grazing_unfold::sequences::sequences;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
@@ -330,9 +327,8 @@ fn several(
     progress: &dyn Progress,
 ) -> (Vec<Value>, Vec<Value>) {
     let rounds: Vec<u32> = (1..=diagram.scope.loops.iter().copied().max().unwrap_or_default()).collect();
-    let found = sequences(diagram, &rounds, generations, progress);
-    let SequenceDiagram { regions, curves, .. } =
-        grazing_analysis::sequences::rows(&found, &axes.units, diagram.wall);
+    let found = grazing_unfold::sequences::sequences(diagram, &rounds, generations, progress);
+    let regions = sequences::rows(&found, &axes.units, diagram.wall).regions;
     let one = |rows: &[SequenceVertex]| {
         let rings = rows.chunk_by(|a, b| a.ring == b.ring);
         let ring =
@@ -347,7 +343,7 @@ fn several(
             "reason": first.reason,
         })
     };
-    let both = at_both_walls(&curves);
+    let both = sequences::at_both_walls(&found, &axes.units, diagram.wall);
     let both = both.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
         let mut found = curve(rows, rows[0].arc);
         found["key"] =

@@ -1,5 +1,6 @@
 //! Measured bifurcations, each associated with the curve that it lies on.
 
+use grazing_analysis::sequences::hit_both;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::Condition;
@@ -79,7 +80,7 @@ type Points<'a> = (u32, Vec<Point<'a>>);
 
 /// The curves of solutions that hit both of two walls, of a kind and with a number of forcing periods; none of others.
 pub(crate) fn at_both(found: &Sequence, kind: Bifurcation, loops: Option<u32>) -> Vec<Points<'_>> {
-    let both = [0, 1].iter().all(|stop| found.stops.contains(stop));
+    let both = hit_both(found);
     found.curves.iter().filter(|_| both).filter_map(|curve| points(curve, kind, loops)).collect()
 }
 

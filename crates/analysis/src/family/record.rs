@@ -86,6 +86,7 @@ impl Record {
         let (resonances, points, ways) = (Vec::new(), Vec::new(), Vec::new());
         let mut record = Self { index, member, incomplete: false, resonances, points, ways };
         let (mut missing, mut nothing): (Vec<String>, Option<UnfoldError>) = (Vec::new(), None);
+        let mut grazes = false;
         for (order, view) in here.from_each_wall().enumerate() {
             let rows = Rows { units, varied, first: VARIED - values.len(), wall: view.wall };
             let located = match view.located(stop).and_then(Diagram::with_grazing) {
@@ -116,9 +117,10 @@ impl Record {
             }
             record.resonances.extend(diagram.resonances.iter().map(|resonance| rows.resonance(resonance)));
             record.points.extend(rows.points(&diagram));
-            nothing = None;
+            grazes = true;
         }
-        if let Some(error) = nothing.filter(|_| record.resonances.is_empty() && missing.is_empty()) {
+        // One wall may be out of reach.
+        if let Some(error) = nothing.filter(|_| !grazes) {
             record.member.missing = tell(description, &error.in_units(&units));
             return (!stop.is_asked()).then_some(record);
         }
