@@ -1,0 +1,183 @@
+//! A resonance with the results for the curves that leave it.
+
+use grazing_continuation::bifurcation::{Bifurcation, Pair};
+use grazing_continuation::curve::Window;
+use grazing_continuation::fit::{FitError, Straightened};
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
+use grazing_results::brief;
+use grazing_results::plane::{MagnifiedPanel, StraightenedCurves};
+use grazing_theorems::ResonantPoint;
+use grazing_theorems::hypothesis::{Hypothesis, Theorem};
+use grazing_unfold::Diagram;
+use grazing_unfold::magnification::{Polyline, magnify, window_about};
+use grazing_unfold::resonances::Resonance;
+use grazing_unfold::sides::{Simulated, simulate};
+use grazing_unfold::straightened::{StraightCurve, straighten};
+use grazing_unfold::units::InUnits;
+use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
+
+use crate::limits::measured_doubled_grazing;
+use crate::plane::{self, Axes};
+
+/// A resonant grazing bifurcation with its results, in the oscillator's own units.
+#[derive(Clone, Debug)]
+pub struct AtResonance {
+    /// Number of loops p.
+    pub loops: u32,
+    /// The number of the wall that grazing motion touches, 1 or 2, if there are two; 0 otherwise.
+    pub wall: u32,
+    /// The integer n.
+    pub n: u32,
+    /// Primary and secondary parameter.
+    pub parameters: [f64; 2],
+    /// The resonance with the quantities that the theorem uses.
+    pub point: ResonantPoint,
+    /// The theorem that applies to this p: Theorem 2.4 or 2.5.
+    pub theorem: Theorem,
+    /// The hypotheses of the theorem, which applies if all hold.
+    pub hypotheses: Vec<Hypothesis>,
+    /// The results for the curves that leave the resonance, if the theorem applies.
+    pub curves: Option<Curves>,
+}
+
+/// Relative difference of resonances at like walls, which are located to some 10⁻¹⁰.
+const ALIKE: f64 = 1e-6;
+
+impl AtResonance {
+    /// A resonance in the oscillator's own units, as a wall sees it, without results for its curves.
+    pub fn new(resonance: &Resonance, wall: u32, units: &Units) -> Self {
+        let Resonance { loops, n, located, theorem } = resonance;
+        let (theorem, hypotheses) = match theorem {
+            Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
+            Err(violated) => (violated.theorem, violated.hypotheses.as_slice()),
+        };
+        Self {
+            loops: *loops,
+            wall,
+            n: *n,
+            parameters: units.parameters(located.orbit().oscillator().parameters()),
+            point: located.resonant_point().in_units(units),
+            theorem,
+            hypotheses: hypotheses.iter().map(|hypothesis| hypothesis.in_units(units)).collect(),
+            curves: None,
+        }
+    }
+
+    /// Whether it is the same at another wall, which is alike.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let near = |(one, another): (f64, f64)| (one - another).abs() <= ALIKE * one.abs();
+        (self.loops, self.n) == (other.loops, other.n)
+            && self.parameters.into_iter().zip(other.parameters).all(near)
+            && near((self.point.saddle_node_coefficient(), other.point.saddle_node_coefficient()))
+    }
+
+    /// Its wall, after other words: ` at wall 2`; nothing if there is one wall.
+    pub fn at_wall(&self) -> String {
+        if self.wall == 0 { String::new() } else { format!(" at wall {}", self.wall) }
+    }
+
+    /// The hypotheses that fail, with their values; none if the theorem applies.
+    pub fn failing(&self) -> impl Iterator<Item = String> {
+        let failing = self.hypotheses.iter().filter(|hypothesis| !hypothesis.holds());
+        failing.map(|failing| format!("{} fails: {}", failing.statement(), brief(failing.value, 4)))
+    }
+}
+
+/// The results for the curves that leave a resonance.
+#[derive(Clone, Debug)]
+pub struct Curves {
+    /// The results for the SN and the PD curve.
+    pub findings: Pair<CurveFinding>,
+    /// c_2GZ, measured on grazing orbits of twice the period; NaN where none are found.
+    pub doubled_grazing: f64,
+    /// The window of the magnification.
+    pub window: Window,
+    /// The curves in the magnification; empty if they could not be followed.
+    pub magnified: Vec<Polyline>,
+    /// The curves in straightened coordinates.
+    pub straightened: Vec<StraightCurve>,
+}
+
+/// The results for an SN or PD curve.
+#[derive(Clone, Copy, Debug)]
+pub struct CurveFinding {
+    /// The coefficient of the curve, by the theorem and measured.
+    pub coefficient: Coefficient,
+    /// The behaviour of the simulated hybrid system beside the curve.
+    pub simulated: Simulated,
+}
+
+impl CurveFinding {
+    /// The results that differ from the prediction or are unknown, each with the reason.
+    pub fn doubts(&self) -> impl Iterator<Item = (String, String)> + use<> {
+        let (verdict, simulated) = (self.coefficient.verdict(), self.simulated);
+        let both = [
+            (verdict.name().to_owned(), verdict.reason()),
+            (format!("simulation {}", simulated.name()), simulated.reason()),
+        ];
+        both.into_iter().filter(|(_, reason)| !reason.is_empty())
+    }
+}
+
+/// The SN and PD curves of all these resonances, each with the resonance that it leaves.
+pub fn curves(
+    resonances: &[AtResonance],
+) -> impl Iterator<Item = (&AtResonance, Bifurcation, &CurveFinding)> {
+    let unfolded = resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)));
+    unfolded.flat_map(|(at, curves)| curves.findings.as_ref().named().map(|(kind, known)| (at, kind, known)))
+}
+
+/// Computes the results for the curves that leave a resonance.
+pub(super) fn curves_from(
+    diagram: &Diagram,
+    resonance: &Resonance,
+    point: &ResonantGrazingPoint,
+    units: &Units,
+) -> Curves {
+    let near = near(point);
+    let coefficients = coefficients_on(point, &near);
+    let finding = |(kind, coefficient): (Bifurcation, &Coefficient)| CurveFinding {
+        coefficient: coefficient.in_units(units),
+        simulated: simulate(point, kind, &coefficients).in_units(units),
+    };
+    let window = window_about(diagram, resonance, point);
+    let mut magnified = magnify(diagram, resonance, point, window).unwrap_or_default();
+    for place in magnified.iter_mut().flat_map(|polyline| &mut polyline.points) {
+        *place = units.parameters(*place);
+    }
+    let findings = Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding);
+    let straightened = straightened(diagram, point, &near, units);
+    let doubled_grazing = measured_doubled_grazing(&resonance.located).unwrap_or(f64::NAN)
+        * (units.primary / units.secondary / units.secondary);
+    Curves { findings, doubled_grazing, window: window.in_units(units), magnified, straightened }
+}
+
+/// The curves that leave a resonance in straightened coordinates, in the oscillator's own units.
+fn straightened(
+    diagram: &Diagram,
+    point: &ResonantGrazingPoint,
+    near: &Pair<Result<Straightened, FitError>>,
+    units: &Units,
+) -> Vec<StraightCurve> {
+    let etas = plane::straightened_etas(diagram.scope.window.in_units(units).secondary);
+    let etas: Vec<f64> = etas.iter().map(|eta| eta / units.secondary).collect();
+    straighten(diagram, point, near, &etas).iter().map(|curve| curve.in_units(units)).collect()
+}
+
+/// The curves that leave one resonance of a diagram, in straightened coordinates. The diagram needs no
+/// regions.
+pub fn straightened_at(
+    axes: &Axes,
+    diagram: &Diagram,
+    (resonance, point): (&Resonance, &ResonantGrazingPoint),
+) -> StraightenedCurves {
+    let near = near(point);
+    let coefficients = coefficients_on(point, &near).map(|known| known.in_units(&axes.units).theorem.value);
+    let curves = straightened(diagram, point, &near, &axes.units);
+    let frame = diagram.scope.window.in_units(&axes.units).into();
+    let (loops, wall, n) = (resonance.loops, diagram.wall, Some(resonance.n));
+    let panel = MagnifiedPanel { panel: 1, frame, loops, wall, n, coefficients };
+    plane::straightened([(panel, curves.as_slice())])
+}
