@@ -63,8 +63,6 @@ pub struct Sequences {
 const SIMULATED: &str = "motion with several impacts";
 /// The stage in which curves and regions are found.
 pub const REGIONS: &str = "regions of solutions with several impacts";
-/// Number of random initial states at a place; motion from the place beside it is followed as well.
-const STARTS: u64 = 2;
 /// The seed of the random states, and the lowest of them.
 const SEED: u128 = 1;
 const LOWEST: f64 = -2.0;
@@ -74,18 +72,21 @@ struct Places {
     /// Numbers of parts into which the ranges of η and μ are divided.
     rows: u32,
     columns: u32,
+    /// Number of random initial states at a place; motion from the place beside it is followed as well.
+    starts: u32,
     horizon: Horizon,
 }
 
 impl Places {
     /// Solutions with several impacts may be stable in slivers.
-    const SEVERAL: Self = Self { rows: 32, columns: 64, horizon: Horizon::drifting(64, 24) };
+    const SEVERAL: Self = Self { rows: 32, columns: 64, starts: 2, horizon: Horizon::drifting(64, 24) };
     /// Those with one impact at each of two walls are a few surfaces, along which they are followed from any of their points
     /// that motion comes near.
     const ONCE_AT_EACH: Self = Self {
         rows: 16,
-        columns: 32,
-        horizon: Horizon { transient: 16, counted: 8, patience: Patience::Drifting, longest: 0 },
+        columns: 16,
+        starts: 1,
+        horizon: Horizon { transient: 4, counted: 4, patience: Patience::Unsettled, longest: 16 },
     };
 
     /// The value of η of a row.
@@ -284,7 +285,7 @@ fn along_row(
         let [primary, _] = diagram.scope.window.parameters([share, 0.0]);
         let here = diagram.oscillator.with_parameters([primary, level]);
         let mut random = Pcg64::new(SEED, u128::from(column));
-        let fresh = (0..STARTS).map(|_| random_start(&here, LOWEST, &mut random));
+        let fresh = (0..places.starts).map(|_| random_start(&here, LOWEST, &mut random));
         let starts: Vec<State> = beside.drain(..).chain(fresh).collect();
         for from in starts {
             let orbit = LongOrbit::follow(&here, from, places.horizon);

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::browser::{Spot, assert_all_pass, checked, cut, lost, sheets_of_paper};
 use crate::program::{
-    DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
+    coarse_parameters, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
 };
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
@@ -63,13 +63,7 @@ fn copy_sources(to: &Path, from: &Path) {
 
 #[test]
 fn the_page_of_the_whole_study_is_complete_and_answers() {
-    // The whole window of Figure 7, with a coarse map, and generations of one round.
-    let less =
-        [("attractors", "columns", "16"), ("attractors", "rows", "16"), ("generations", "rounds", "[1]")];
-    let parameters = less.into_iter().fold(DEFAULT.to_owned(), |parameters, (section, key, value)| {
-        edited(&parameters, &format!("[beyond_{section}]"), key, &format!("{key} = {value}"))
-    });
-    let folder = project(&parameters);
+    let folder = project(&coarse_parameters());
     copy_sources(&folder.path().join("crates"), &repository().join("crates"));
     fs::write(folder.path().join("CITATION.cff"), format!("repository-code: \"{HOST}\"\n"))
         .expect("the folder is ours");

@@ -124,8 +124,14 @@ addEventListener("load", async () => {
       // As deep as one can go, in every corner: something is drawn there, or the panel says that there is nothing.
       for (let turns = 0; turns < 12; turns += 1) press("+");
       check(`${figure.id}, panel ${index}: there is an end to it`, zoom() === 40, zoom());
-      for (const key of ["ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"]) {
-        for (let steps = 0; steps < 25; steps += 1) press(key);
+      for (const [right, low] of [[0, 0], [1, 0], [1, 1], [0, 1]]) {
+        press("0");
+        const corner = new DOMPoint(box.x + right * box.width, box.y + low * box.height).matrixTransform(svg.getScreenCTM());
+        // The pixel of a pointer is a whole one: it lies inside the panel, and arrows go the rest of the way.
+        const [clientX, clientY] = [right ? Math.floor(corner.x) - 1 : Math.ceil(corner.x) + 1, low ? Math.floor(corner.y) - 1 : Math.ceil(corner.y) + 1];
+        sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -3000, clientX, clientY, cancelable: true }));
+        for (const key of [right ? "ArrowRight" : "ArrowLeft", low ? "ArrowDown" : "ArrowUp"]) press(key);
+        check(`${figure.id}, panel ${index}: the wheel goes to the end at once`, zoom() === 40, zoom());
         const frame = mark.getBoundingClientRect();
         const met = drawing().filter((node) => node.getAttribute("clip-path")?.endsWith(`-panel-${index})`) || latticeOf(node)).some((node) => {
           const shown = node.getBoundingClientRect();
@@ -133,7 +139,7 @@ addEventListener("load", async () => {
         });
         const said = svg.querySelector(".nothing") !== null;
         if (said) empty += 1;
-        check(`${figure.id}, panel ${index}: nothing is said to be nothing`, met || said, key);
+        check(`${figure.id}, panel ${index}: nothing is said to be nothing`, met || said, [right, low]);
       }
       press("0");
     }

@@ -67,7 +67,7 @@ fn closed_form(known: &Linear, [amplitude, omega]: [f64; 2]) -> Vec<(f64, f64, O
 
 /// Whether motion from a state comes to one impact at each stop in a forcing period.
 fn comes_to_it(known: &Linear, from: State) -> bool {
-    let orbit = LongOrbit::follow(&known.oscillator(true), from, Horizon::drifting(400, 32));
+    let orbit = LongOrbit::follow(&known.oscillator(true), from, Horizon::drifting(48, 16));
     orbit.fate.numbers() == Some((2, 1)) && orbit.fate.second == 1.0
 }
 

@@ -42,7 +42,7 @@ fn what_is_decided_when_a_limit_is_reached_is_right_and_the_rest_is_not_finished
         regions.any(|region| region.doubt.is_none() == shaded && region.contains(at))
     };
     let mut partly = 0;
-    for share in (0..50).map(|k| 0.8 + 0.004 * f64::from(k)) {
+    for share in (0..12).map(|k| 0.8 + 0.017 * f64::from(k)) {
         let cut = computed(&Stop::after((share * all.steps() as f64) as u64));
         // Steps are counted in lots, so the last limits may not be reached.
         if cut.unfinished.is_empty() {

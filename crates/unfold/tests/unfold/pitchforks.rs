@@ -1,5 +1,7 @@
 //! Pitchforks of symmetric motion without impacts, compared with motion that has settled.
 
+use std::sync::LazyLock;
+
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns};
@@ -13,16 +15,27 @@ use grazing_unfold::{Diagram, Scope};
 
 use crate::specimens::{described, scope};
 
+/// An oscillator that is symmetric about a position, with a part of its plane.
+struct Symmetric {
+    oscillator: AnyOscillator,
+    scope: Scope,
+    centre: f64,
+    diagram: Diagram,
+}
+
 /// A driven pendulum that hangs at x = −3, and a particle between two wells with the hill at −1.8.
-fn specimens() -> [(AnyOscillator, Scope, f64); 2] {
+static SPECIMENS: LazyLock<[Symmetric; 2]> = LazyLock::new(|| {
     let pendulum = ("-0.5*v - sin(x + 3) + mu*cos(eta*t)", [[0.8, 1.2], [0.6, 0.75]], -3.0);
     let wells =
         ("-0.028*v + 0.36*((x + 1.8) - (x + 1.8)^3) + mu*cos(eta*t)", [[0.3, 0.6], [0.6, 0.75]], -1.8);
     [pendulum, wells].map(|(force, ranges, centre)| {
         let model = described([force, "eta", "0"], 0.7, ranges);
-        (model.oscillator([ranges[0][0], ranges[1][0]]), scope(ranges[0], ranges[1], &[1]), centre)
+        let oscillator = model.oscillator([ranges[0][0], ranges[1][0]]);
+        let scope = scope(ranges[0], ranges[1], &[1]);
+        let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("it grazes");
+        Symmetric { oscillator, scope, centre, diagram }
     })
-}
+});
 
 /// The pitchforks as points of the plane.
 fn pitchforks(diagram: &Diagram) -> Vec<[f64; 2]> {
@@ -50,13 +63,12 @@ fn asymmetry(oscillator: &AnyOscillator, at: [f64; 2], from: [f64; 2], centre: f
 
 #[test]
 fn motion_is_symmetric_on_one_side_of_a_pitchfork_and_not_on_the_other() {
-    let [(oscillator, scope, centre), _] = specimens();
-    let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("it grazes");
-    let places = pitchforks(&diagram);
+    let [Symmetric { oscillator, centre, diagram, .. }, _] = &*SPECIMENS;
+    let centre = *centre;
+    let places = pitchforks(diagram);
     assert!(places.len() > 20, "{}", places.len());
     for [primary, secondary] in places.into_iter().step_by(20) {
-        let settled =
-            |shift: f64| asymmetry(&oscillator, [primary + shift, secondary], [centre, 0.0], centre);
+        let settled = |shift: f64| asymmetry(oscillator, [primary + shift, secondary], [centre, 0.0], centre);
         // This close to it asymmetry takes hundreds of periods to die out; beyond, it grows like
         // the root of the distance.
         assert!(settled(-2e-3) < 1e-4, "at {primary}, {secondary}: {}", settled(-2e-3));
@@ -66,9 +78,8 @@ fn motion_is_symmetric_on_one_side_of_a_pitchfork_and_not_on_the_other() {
 
 #[test]
 fn what_is_stable_beside_a_pitchfork_is_decided_on_both_sides() {
-    for (oscillator, scope, _) in specimens() {
-        let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("it grazes");
-        assert!(!pitchforks(&diagram).is_empty());
+    for Symmetric { diagram, .. } in &*SPECIMENS {
+        assert!(!pitchforks(diagram).is_empty());
         assert!(
             diagram.regions.iter().all(|region| region.doubt.is_none()),
             "{:?}",
@@ -79,10 +90,10 @@ fn what_is_stable_beside_a_pitchfork_is_decided_on_both_sides() {
 
 #[test]
 fn an_oscillator_without_symmetry_has_no_pitchfork_to_locate() {
-    let [(oscillator, scope, centre), _] = specimens();
-    let equations = LoopEquations::without_impacts(oscillator, scope.window.widths());
+    let [Symmetric { oscillator, scope, centre, .. }, _] = &*SPECIMENS;
+    let equations = LoopEquations::without_impacts(oscillator.clone(), scope.window.widths());
     let conditions = [Condition::SymmetryBreaking, Condition::Secondary(0.7)];
-    let near = Unknowns::new(centre, 0.0, 1.0, 0.7);
+    let near = Unknowns::new(*centre, 0.0, 1.0, 0.7);
     let found = locate(&equations, conditions, near, &mut EventTimes::default());
     let undefined = NewtonFailure::Undefined { iteration: 1, cause: MapError::NotSymmetric };
     assert_eq!(found, Err(LocateFailure::Newton(undefined)));
@@ -90,12 +101,11 @@ fn an_oscillator_without_symmetry_has_no_pitchfork_to_locate() {
 
 #[test]
 fn a_one_parameter_diagram_shows_a_pitchfork_where_the_curve_crosses_it() {
-    for (oscillator, scope, _) in specimens() {
-        let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("it grazes");
-        let curve = pitchforks(&diagram);
+    for Symmetric { oscillator, scope, diagram, .. } in &*SPECIMENS {
+        let curve = pitchforks(diagram);
         let middle = curve[curve.len() / 2];
         let line = Line { diagram: 1, primary_is_fixed: false, at: middle[1], range: scope.window.primary };
-        let cut = Cut::follow(&oscillator, &scope, &diagram.curves, line, &Silent).expect("nobody stops it");
+        let cut = Cut::follow(oscillator, scope, &diagram.curves, line, &Silent).expect("nobody stops it");
         let found = cut.diagram().bifurcations;
         let mut found = found.iter().filter(|found| found.kind == Bifurcation::Pitchfork);
         // Both are located to some 10⁻¹⁰.

@@ -156,19 +156,26 @@ pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> 
     format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
 
+/// The default parameters with a coarse map of attractors, and solutions with several impacts that leave few resonances: two
+/// figures that take longer than all others together.
+pub(crate) fn coarse_parameters() -> String {
+    let coarse =
+        [("attractors", "columns", "16"), ("attractors", "rows", "16"), ("generations", "rounds", "[1]")];
+    coarse.into_iter().fold(DEFAULT.to_owned(), |parameters, (section, key, value)| {
+        edited(&parameters, &format!("[beyond_{section}]"), key, &format!("{key} = {value}"))
+    })
+}
+
 /// The default parameters with little work for every output: a part of Figure 7's window with a resonance of each p,
 /// coarse maps and short attractors.
 pub(crate) fn quick_parameters() -> String {
-    let mut parameters = DEFAULT.to_owned();
+    let mut parameters = coarse_parameters();
     for (section, key, value) in [
         ("[fig02.attractor]", "amplitudes", "5"),
         ("[fig07]", "frequency", "[0.62, 0.86]"),
         ("[beyond_cascade]", "values", "40"),
         ("[beyond_atlas]", "rows", "12"),
-        ("[beyond_attractors]", "columns", "16"),
-        ("[beyond_attractors]", "rows", "16"),
         ("[beyond_proofs]", "panels", "1"),
-        ("[beyond_generations]", "rounds", "[1]"),
     ] {
         parameters = edited(&parameters, section, key, &format!("{key} = {value}"));
     }
@@ -190,13 +197,13 @@ pub(crate) fn narrow_duffing() -> String {
     edited(&narrow, "[analysis]", "loops", "loops = [3]")
 }
 
-/// The study of the default parameters: the contents of its figures are computed once for all tests.
+/// A study whose figures' contents are computed once for all tests.
 static STUDY: LazyLock<Study> = LazyLock::new(|| {
-    let parameters = Parameters::parse(&Text::new(DEFAULT, &[]), "parameters.toml");
-    Study::new(&parameters.expect("the default parameters are valid"))
+    let parameters = Parameters::parse(&Text::new(&coarse_parameters(), &[]), "parameters.toml");
+    Study::new(&parameters.expect("the parameters are valid"))
 });
 
-/// A folder with all figures and tables of the default parameters at a width, as `reproduce` writes them: SVG, LaTeX
+/// A folder with all figures and tables of the study at a width, as `reproduce` writes them: SVG, LaTeX
 /// with PDF, and at one column PNG with a pixel a point. They are made once for all tests.
 pub(crate) fn edition(columns: SheetWidth) -> tempfile::TempDir {
     static MADE: [OnceLock<Vec<OutputFile>>; 3] = [const { OnceLock::new() }; 3];
@@ -204,7 +211,7 @@ pub(crate) fn edition(columns: SheetWidth) -> tempfile::TempDir {
         let png = (columns == SheetWidth::OneColumn).then_some(Format::Png);
         let formats = [Format::Svg, Format::Tex].into_iter().chain(png).collect();
         let edition = Edition::new(formats, columns, 72, TextForm::Fonts);
-        reproduce::files(&STUDY, &edition).expect("the default parameters give all outputs")
+        reproduce::files(&STUDY, &edition).expect("the parameters give all outputs")
     });
     let place = empty_folder();
     folder::write(place.path(), made).expect("the folder is ours");
