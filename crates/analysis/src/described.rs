@@ -56,21 +56,28 @@ impl Prepared {
 
     /// What is to be computed as each wall sees it: the first, and then the other one if there are two.
     pub fn from_each_wall(&self) -> impl Iterator<Item = AtWall> {
-        let other = self.oscillator.other_stop();
-        let wall = u32::from(other.is_some());
-        let Self { oscillator, scope, asked, .. } = self;
-        let first =
-            AtWall { wall, oscillator: oscillator.clone(), scope: scope.clone(), asked: asked.clone() };
-        // The start of the search, and the curves that a file requests, are seen from the first wall.
-        let scope = Scope { start: None, ..scope.clone() };
-        let other = other.map(|oscillator| AtWall { wall: 2, oscillator, scope, asked: Vec::new() });
-        [first].into_iter().chain(other)
+        from_each_wall(&self.oscillator, &self.scope, &self.asked)
     }
 
     /// A place given in the oscillator's own units, in dimensionless form.
     pub fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
         [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
     }
+}
+
+/// What is to be computed of an oscillator as each wall sees it: the first, and then the other one if there are two.
+pub fn from_each_wall(
+    oscillator: &AnyOscillator,
+    scope: &Scope,
+    asked: &[Level],
+) -> impl Iterator<Item = AtWall> + use<> {
+    let other = oscillator.other_stop();
+    let wall = u32::from(other.is_some());
+    let first = AtWall { wall, oscillator: oscillator.clone(), scope: scope.clone(), asked: asked.to_vec() };
+    // The start of the search, and the curves that a file requests, are seen from the first wall.
+    let scope = Scope { start: None, ..scope.clone() };
+    let other = other.map(|oscillator| AtWall { wall: 2, oscillator, scope, asked: Vec::new() });
+    [first].into_iter().chain(other)
 }
 
 /// An oscillator as one of its walls sees it, and what is to be computed of it.

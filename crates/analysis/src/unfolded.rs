@@ -24,7 +24,7 @@ use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 
-pub use crate::described::{AtWall, Prepared, levels, prepared};
+pub use crate::described::{AtWall, Prepared, from_each_wall, levels, prepared};
 use crate::one_parameter;
 use crate::plane::{self, Axes, own_header};
 use crate::sequences;
@@ -222,6 +222,11 @@ impl Unfolded {
     /// The results as each wall sees them, the first and then the other, if there are two.
     pub fn from_each_wall(&self) -> impl Iterator<Item = &Self> {
         [Some(self), self.other.as_deref()].into_iter().flatten()
+    }
+
+    /// The diagrams as the first wall and the other of two see them, and the solutions with several impacts.
+    pub fn known(&self) -> (&Diagram, Option<&Diagram>, &[Sequence]) {
+        (&self.diagram, self.other.as_ref().map(|other| &other.diagram), &self.sequences.solutions)
     }
 
     /// The resonances at which a theorem holds, with the results for their curves, at the first wall and at the

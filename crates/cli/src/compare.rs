@@ -41,7 +41,7 @@ pub(crate) fn read(arguments: &Compare) -> Result<Plan<'_>, Failure> {
         let (unfolded, met) = analyse(&of, of.prepared(&running.stop()), running, &|_| ())?;
         match met {
             Some(_) => Err(ended(oscillator, met, "nothing was compared")),
-            None => Ok(apart(&points, &unfolded.axes, &unfolded.diagram, *within)),
+            None => Ok(apart(&points, &unfolded.axes, unfolded.known(), *within)),
         }
     };
     let say = move |kinds: Vec<Apart>, _: &Path| {

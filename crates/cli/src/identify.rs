@@ -14,7 +14,7 @@ use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, Batch};
 use crate::layout::Layout;
-use crate::oscillator::{OscillatorFile, constants, parameter_names};
+use crate::oscillator::{OscillatorFile, constants, setup};
 use crate::runner::{Next, Outcome, Plan, Running};
 use crate::unfold::numbers::{heads, with_error};
 use crate::{data_page, tables, terminal};
@@ -31,14 +31,14 @@ const OUTPUT: &str = "identify";
 pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
     let Identify { file, data, record, free, changes, limits, .. } = arguments;
     let of = OscillatorFile::read(file, &changes.set, limits.over(Limits::USUAL))?;
-    let of = of.of_one_wall("identify", changes.loops.as_deref())?;
-    let names = parameter_names(&of.description);
+    let of = of.looped(changes.loops.as_deref())?;
+    let setup = setup(&of.description);
     let renamed = arguments.named.of(data.as_deref().or(record.as_deref()))?;
     if !renamed.is_empty() && data.is_some() && record.is_some() {
         return Err(Failure::input("--column names columns of one CSV: give --data or --record, not both"));
     }
-    let points = data.as_ref().map(|path| read::points(path, names, renamed)).transpose()?;
-    let impacts = record.as_ref().map(|path| read::record(path, names, renamed)).transpose()?;
+    let points = data.as_ref().map(|path| read::points(path, setup, renamed)).transpose()?;
+    let impacts = record.as_ref().map(|path| read::record(path, setup, renamed)).transpose()?;
     let measured = Measurements { points: points.unwrap_or_default(), record: impacts.unwrap_or_default() };
     refuse_gains(record.as_deref().unwrap_or(file), &of.description, &measured)?;
     let start = constants("--free", free.iter().map(String::as_str), &of.description)?;
@@ -92,9 +92,11 @@ fn unused(measured: &Measurements) -> usize {
 
 /// Refuses a record in which impacts speed the motion up, unless the restitution in the file does so.
 fn refuse_gains(file: &Path, description: &Description, measured: &Measurements) -> Result<(), Failure> {
+    let seen: Vec<Description> = description.from_each_wall().collect();
     for series in &measured.record {
         let Some(impact) = series.gaining() else { continue };
         let ([mu, eta], [time, speed, _]) = (series.at, impact.values);
+        let description = seen.get(impact.wall.max(1) as usize - 1).unwrap_or(description);
         let phase = description.forcing_frequency(mu, eta) * time;
         if description.restitution(speed, phase, mu, eta) <= 1.0 {
             let remedy = "are velocity_before and velocity_after exchanged? If impacts drive the rig, start from a restitution above 1";
@@ -160,16 +162,17 @@ fn listing(layout: Layout, names: &Names, fit: &Fit, found: &Identified, unused:
         text.push_str(&layout.wrapped("  ", &unused));
     }
     text.push_str("\nResonances, value ± standard error that follows from the constants\n");
+    let walls = found.resonances.iter().any(|row| row.wall > 0);
     let row = |row: &grazing_results::measured::IdentifiedResonance| {
-        vec![
-            row.loops.to_string(),
-            row.n.to_string(),
-            with_error(row.secondary, row.secondary_error),
-            with_error(row.primary, row.primary_error),
-        ]
+        let numbers = [Some(row.loops), walls.then_some(row.wall), Some(row.n)];
+        let place =
+            [with_error(row.secondary, row.secondary_error), with_error(row.primary, row.primary_error)];
+        numbers.into_iter().flatten().map(|number| number.to_string()).chain(place).collect()
     };
     let [primary, secondary] = heads(names);
-    text.push_str(&layout.aligned(&["p", "n", &secondary, &primary], found.resonances.iter().map(row)));
+    let header = [Some("p"), walls.then_some("wall"), Some("n"), Some(&secondary), Some(&primary)];
+    let header: Vec<&str> = header.into_iter().flatten().collect();
+    text.push_str(&layout.aligned(&header, found.resonances.iter().map(row)));
     text
 }
 

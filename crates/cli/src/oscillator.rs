@@ -5,34 +5,12 @@ use std::time::Duration;
 
 use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_description::{Description, DescriptionError, Limits};
+use grazing_measured::Setup;
 use grazing_model::smooth::Stop;
 use grazing_source::{Setting, Text, nearest, suggestion};
 
 use crate::failure::Failure;
 use crate::limits::reading;
-
-/// Refuses an oscillator with two walls, where a command is for one, with what to do `instead`.
-///
-/// # Errors
-/// There are two walls.
-pub(crate) fn with_one_wall(
-    file: &Path,
-    description: &Description,
-    command: &str,
-    instead: &str,
-) -> Result<(), Failure> {
-    if !description.has_two_walls() {
-        return Ok(());
-    }
-    Err(Failure::input(format!(
-        "{}: there are two [[walls]], and `grazing {command}` is for oscillators with one: {instead}",
-        file.display()
-    )))
-}
-
-/// What to do where motion at one of two walls is asked for.
-const AS_ONE_WALL: &str = "where motion hits only one of them, describe that one as [wall]; `grazing unfold` with --at, [[diagrams]] and `grazing explore` \
-     show motion between two walls";
 
 /// A file that describes an oscillator.
 #[derive(Clone)]
@@ -56,15 +34,6 @@ impl OscillatorFile {
         let read = |stop: &Stop| Ok(Description::parse_with(&set, &named, stop)?);
         let (description, taken) = reading(file, limits, read)?;
         Ok(Self { file: file.to_owned(), text: noted(&text, &settings), description, taken })
-    }
-
-    /// The oscillator with other numbers of loops, if there are any, unless it has two walls.
-    ///
-    /// # Errors
-    /// There are two walls, but the command is for one; or the numbers of loops are wrong.
-    pub(crate) fn of_one_wall(self, command: &str, loops: Option<&[u32]>) -> Result<Self, Failure> {
-        with_one_wall(&self.file, &self.description, command, AS_ONE_WALL)?;
-        self.looped(loops)
     }
 
     /// The oscillator with other numbers of loops, if there are any.
@@ -92,6 +61,11 @@ pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
 /// The names of both parameters in the file.
 pub(crate) fn parameter_names(description: &Description) -> [&str; 2] {
     [description.primary().name(), description.secondary().name()]
+}
+
+/// What the reader of measurements knows of an oscillator.
+pub(crate) fn setup(description: &Description) -> Setup<'_> {
+    Setup { names: parameter_names(description), two_walls: description.has_two_walls() }
 }
 
 /// The values of the constants that an option names, as the file has them.

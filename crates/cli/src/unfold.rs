@@ -25,7 +25,7 @@ use crate::failure::Failure;
 use crate::folder::{self, Batch, OutputFile};
 use crate::layout::Layout;
 use crate::limits::{self, EndCause, ended};
-use crate::oscillator::{OscillatorFile, parameter_names};
+use crate::oscillator::{OscillatorFile, setup};
 use crate::outputs::accompanying;
 use crate::outputs::edition::Edition;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
@@ -139,9 +139,10 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<(Task, PathBuf)>, Failure>
                 folder.display()
             )));
         }
-        let names = parameter_names(&of.description);
         let renamed = arguments.named.of(arguments.data.as_deref())?;
-        let measured = arguments.data.as_ref().map(|data| read::points(data, names, renamed)).transpose()?;
+        let measured = arguments.data.as_ref();
+        let measured =
+            measured.map(|data| read::points(data, setup(&of.description), renamed)).transpose()?;
         for &[mu, eta] in &arguments.at {
             let frequency = of.description.forcing_frequency(mu, eta);
             if !(frequency > 0.0 && frequency.is_finite()) {
@@ -174,11 +175,8 @@ pub(crate) fn unfold(
     let (unfolded, met) = analyse(&of, prepare(&of, &motion)?, &analysis, keep)?;
     drop(analysis);
     let progress: &dyn Progress = &**running.progress();
-    let compared = measured.map(|measured| {
-        let other = unfolded.other.as_ref().map(|other| &other.diagram);
-        let known = (&unfolded.diagram, other, &*unfolded.sequences.solutions);
-        compare(&measured, &unfolded.axes, known, progress, &running.stop())
-    });
+    let compared = measured
+        .map(|measured| compare(&measured, &unfolded.axes, unfolded.known(), progress, &running.stop()));
     let mut unfinished = compared.iter().flat_map(|compared| &compared.points);
     let unfinished = unfinished.any(|point| point.reason == NOT_FINISHED);
     let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);

@@ -1,7 +1,7 @@
 //! Measurements, and their comparison with the part of the diagram in view.
 
 use grazing_analysis::plane::Axes;
-use grazing_measured::{Observation, compare, read};
+use grazing_measured::{Observation, Setup, compare, read};
 use grazing_model::smooth::Stop;
 use grazing_results::measured::{Comparison, MeasuredCount, MeasuredPoint};
 use grazing_unfold::Diagram;
@@ -47,7 +47,8 @@ impl Measured {
         // The paper's oscillator has other names than the text that describes it.
         let paper = Axes::of_the_paper().names;
         let names = if model.text.is_some() { own } else { [&*paper.primary, &*paper.secondary] };
-        read::points_of(&self.text, &self.name, names, &[]).map_err(|error| Problem::wrong(error.to_string()))
+        let setup = Setup { names, two_walls: description.has_two_walls() };
+        read::points_of(&self.text, &self.name, setup, &[]).map_err(|error| Problem::wrong(error.to_string()))
     }
 
     /// Compares the measurements in the view with the diagram there, and counts those that lie outside.

@@ -11,7 +11,7 @@ use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::sequences::Sequence;
 
-use crate::read::{Observation, Seen};
+use crate::read::{Observation, Seen, Walls};
 
 /// The assumed standard error, as a fraction of its range, of a parameter without a stated error when the
 /// other one has one: it is known far better.
@@ -48,7 +48,7 @@ impl Metric {
 pub(crate) struct Nearest {
     pub(crate) distance: f64,
     pub(crate) unknowns: Unknowns,
-    loops: u32,
+    of: Solutions,
     times: EventTimes,
     /// The unit direction of the curve.
     along: Unknowns,
@@ -61,9 +61,8 @@ pub struct Located {
     pub line: u32,
     /// The kind of bifurcation, in words.
     pub quantity: String,
-    /// The condition that defines the curve, and the number of loops.
-    pub(crate) condition: Condition,
-    pub(crate) loops: u32,
+    /// The solutions of which the curve is.
+    pub(crate) of: Solutions,
     /// A point of the curve nearby and the direction of the curve there; `times` are its event times.
     pub(crate) near: [Unknowns; 2],
     pub(crate) times: EventTimes,
@@ -75,38 +74,69 @@ pub struct Located {
 /// A point of a curve: the unknowns, its event times, and whether the solution is admissible.
 type Point<'a> = (Unknowns, Option<&'a EventTimes>, bool);
 
-/// A curve with its number of loops.
-type Points<'a> = (u32, Vec<Point<'a>>);
+/// Solutions that satisfy a condition: those along a curve.
+#[derive(Clone, Debug)]
+pub(crate) struct Solutions {
+    pub(crate) condition: Condition,
+    /// The number of loops, or of forcing periods; 0 without impacts.
+    pub(crate) loops: u32,
+    /// The stops that impacts hit, in their order, over and over; none if all are at the first.
+    pub(crate) stops: Vec<usize>,
+}
+
+/// A curve of solutions.
+type Points<'a> = (Solutions, Vec<Point<'a>>);
+
+/// The curves that are known: those of a diagram as the first wall sees it and as the other of two does, and those of
+/// solutions with several impacts, as far as these are known.
+pub type Known<'a> = (&'a Diagram, Option<&'a Diagram>, &'a [Sequence]);
+
+/// What is sought among known curves: their kind, the number of loops if it is given, and the walls.
+pub(crate) type Sought = (Bifurcation, Option<u32>, Walls);
 
 /// The curves of solutions that hit both of two walls, of a kind and with a number of forcing periods; none of others.
-pub(crate) fn at_both(found: &Sequence, kind: Bifurcation, loops: Option<u32>) -> Vec<Points<'_>> {
+fn at_both(found: &Sequence, sought: Sought) -> Vec<Points<'_>> {
     let both = hit_both(found);
-    found.curves.iter().filter(|_| both).filter_map(|curve| points(curve, kind, loops)).collect()
+    found.curves.iter().filter(|_| both).filter_map(|curve| points(curve, &found.stops, sought)).collect()
 }
 
 /// The points of a curve, if it is of this kind.
-fn points(curve: &DiagramCurve, kind: Bifurcation, loops: Option<u32>) -> Option<Points<'_>> {
+fn points<'a>(curve: &'a DiagramCurve, stops: &[usize], (kind, loops, _): Sought) -> Option<Points<'a>> {
     (curve.kind == kind && loops.is_none_or(|loops| loops == curve.loops)).then_some(())?;
     let points = curve.curve.points.iter().map(|point| {
         let admissible = point.solution.ceiling() <= PeriodicSolution::TOUCH;
         (point.solution.unknowns.clone(), Some(&point.times), admissible)
     });
-    Some((curve.loops, points.collect()))
+    let stops = if curve.loops == 0 { Vec::new() } else { stops.to_vec() };
+    Some((Solutions { condition: kind.condition(), loops: curve.loops, stops }, points.collect()))
 }
 
-/// The curves of a kind, each with its number of loops.
-pub(crate) fn curves(diagram: &Diagram, kind: Bifurcation, loops: Option<u32>) -> Vec<Points<'_>> {
-    if kind == Bifurcation::NonImpactingGrazing {
+/// The curves of a kind, as one wall sees it.
+fn at_one(diagram: &Diagram, sought: Sought) -> Vec<Points<'_>> {
+    let stops = if diagram.wall < 2 { Vec::new() } else { vec![1] };
+    if sought.0 == Bifurcation::NonImpactingGrazing {
         let curve = |curve: &grazing_unfold::grazing::GrazingCurve| {
             let points = curve.states.iter().map(|state| {
                 let [primary, secondary] = state.orbit.oscillator().parameters();
                 (Unknowns::new(0.0, state.orbit.phase(), primary, secondary), None, state.admissible)
             });
-            (1, points.collect())
+            let condition = Condition::ImpactVelocity(0.0);
+            (Solutions { condition, loops: 1, stops: stops.clone() }, points.collect())
         };
         return diagram.grazing.iter().map(curve).collect();
     }
-    diagram.curves.iter().filter_map(|curve| points(curve, kind, loops)).collect()
+    diagram.curves.iter().filter_map(|curve| points(curve, &stops, sought)).collect()
+}
+
+/// The known curves of a kind. Motion without impacts is the same to both walls, and its curves are those of the first.
+pub(crate) fn curves<'a>((first, other, several): Known<'a>, sought: Sought) -> Vec<Points<'a>> {
+    let (_, _, walls) = sought;
+    let of_wall = |diagram: &&Diagram| walls.may_be(diagram.wall.max(1));
+    let seen = Some(first).into_iter().filter(of_wall).flat_map(|diagram| at_one(diagram, sought));
+    let others = other.into_iter().filter(of_wall).flat_map(|diagram| at_one(diagram, sought));
+    let seen = seen.chain(others.filter(|(of, _)| of.loops > 0));
+    let both = several.iter().filter(|_| walls.may_be_both()).flat_map(|found| at_both(found, sought));
+    seen.chain(both).collect()
 }
 
 /// The point nearest to `at` on the admissible parts of curves.
@@ -117,7 +147,7 @@ pub(crate) fn nearest<'a>(
 ) -> Option<Nearest> {
     let place = |point: &Unknowns| [point[unknown::PRIMARY], point[unknown::SECONDARY]];
     let mut best: Option<Nearest> = None;
-    for (loops, points) in curves {
+    for (of, points) in curves {
         for pair in points.windows(2).filter(|pair| pair[0].2 && pair[1].2) {
             let [from, to] = [0, 1].map(|k| metric.counted(at, place(&pair[k].0)));
             let chord = [to[0] - from[0], to[1] - from[1]];
@@ -132,7 +162,7 @@ pub(crate) fn nearest<'a>(
                 let (unknowns, times) = (&pair[0].0 + (&pair[1].0 - &pair[0].0) * share, pair[0].1);
                 let times = times.cloned().unwrap_or_default();
                 let along = (&pair[1].0 - &pair[0].0).normalize();
-                best = Some(Nearest { distance, unknowns, loops, times, along });
+                best = Some(Nearest { distance, unknowns, of: of.clone(), times, along });
             }
         }
     }
@@ -145,25 +175,20 @@ pub(crate) fn nearest<'a>(
 /// The line of the first bifurcation without such a curve, and a description of it.
 pub fn associate(
     observations: &[Observation],
-    diagram: &Diagram,
+    known: Known<'_>,
     units: &Units,
 ) -> Result<Vec<Located>, (u32, String)> {
     let mut all = Vec::new();
     for Observation { line, at, errors, seen } in observations {
-        let Seen::Bifurcation { kind, loops } = *seen else { continue };
+        let Seen::Bifurcation { kind, loops, walls } = *seen else { continue };
         let [at, errors] = [at, errors].map(|place| units.without_dimensions(*place));
-        let metric = Metric::new(errors, &diagram.scope.window);
-        let curves = curves(diagram, kind, loops);
+        let metric = Metric::new(errors, &known.0.scope.window);
+        let curves = curves(known, (kind, loops, walls));
         let near = nearest(curves, at, &metric).ok_or_else(|| (*line, seen.words()))?;
-        let condition = match kind {
-            Bifurcation::NonImpactingGrazing => Condition::ImpactVelocity(0.0),
-            other => other.condition(),
-        };
         all.push(Located {
             line: *line,
             quantity: seen.words(),
-            condition,
-            loops: near.loops,
+            of: near.of,
             near: [near.unknowns, near.along],
             times: near.times,
             at,

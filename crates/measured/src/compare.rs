@@ -16,7 +16,7 @@ use grazing_unfold::regions::Region;
 use grazing_unfold::sequences::Sequence;
 use grazing_unfold::{Diagram, Scope};
 
-use crate::associate::{Metric, at_both, curves, nearest};
+use crate::associate::{Known, Metric, curves, nearest};
 use crate::read::{Observation, Seen};
 
 /// Standard errors within which measurements agree: about 95 of 100 lie there.
@@ -56,7 +56,7 @@ const STAGE: &str = "comparison with measurements";
 pub fn compare(
     observations: &[Observation],
     axes: &Axes,
-    (diagram, other, several): (&Diagram, Option<&Diagram>, &[Sequence]),
+    (diagram, other, several): Known<'_>,
     progress: &dyn Progress,
     stop: &Stop,
 ) -> Comparison {
@@ -107,11 +107,11 @@ pub struct Apart {
 
 /// Compares the points of another program's curves with the admissible parts of the curves of a diagram,
 /// kind by kind; `within` is the greatest distance that counts as near, as a fraction of the ranges.
-pub fn apart(points: &[Observation], axes: &Axes, diagram: &Diagram, within: f64) -> Vec<Apart> {
-    let window = &diagram.scope.window;
+pub fn apart(points: &[Observation], axes: &Axes, known: Known<'_>, within: f64) -> Vec<Apart> {
+    let window = &known.0.scope.window;
     let mut all: BTreeMap<String, Apart> = BTreeMap::new();
     for &Observation { line, at, seen, .. } in points {
-        let Seen::Bifurcation { kind, loops } = seen else { continue };
+        let Seen::Bifurcation { kind, loops, walls } = seen else { continue };
         let none = Apart { curve: seen, points: 0, outside: 0, far: 0, farthest: (0.0, line) };
         let of = all.entry(seen.words()).or_insert(none);
         let at = axes.units.without_dimensions(at);
@@ -119,7 +119,7 @@ pub fn apart(points: &[Observation], axes: &Axes, diagram: &Diagram, within: f64
             of.outside += 1;
             continue;
         }
-        let near = nearest(curves(diagram, kind, loops), at, &Metric::new([0.0; 2], window));
+        let near = nearest(curves(known, (kind, loops, walls)), at, &Metric::new([0.0; 2], window));
         let distance = near.map_or(f64::INFINITY, |near| near.distance);
         of.points += 1;
         of.far += u32::from(distance > within);
@@ -156,7 +156,7 @@ impl Beside<'_> {
 
     /// The groups in which a measurement is counted: region, kind and number of loops.
     fn counted_in(&self, one: &Observation) -> Vec<(u32, String, u32)> {
-        if let Seen::Bifurcation { kind, loops } = one.seen {
+        if let Seen::Bifurcation { kind, loops, .. } = one.seen {
             return vec![(0, kind.name().to_owned(), loops.unwrap_or(0))];
         }
         let at = self.axes.units.without_dimensions(one.at);
@@ -249,13 +249,11 @@ impl Beside<'_> {
     }
 
     fn bifurcation(&self, one: &Observation, at: [f64; 2], distance: &mut f64) -> Verdict {
-        let Seen::Bifurcation { kind, loops } = one.seen else {
+        let Seen::Bifurcation { kind, loops, walls } = one.seen else {
             return (Agreement::Silent, String::new());
         };
         let metric = Metric::new(self.axes.units.without_dimensions(one.errors), &self.diagram.scope.window);
-        let seen = [self.diagram].into_iter().chain(self.other);
-        let curves = seen.flat_map(|diagram| curves(diagram, kind, loops));
-        let curves = curves.chain(self.several.iter().flat_map(|found| at_both(found, kind, loops)));
+        let curves = curves((self.diagram, self.other, self.several), (kind, loops, walls));
         let Some(near) = nearest(curves, at, &metric) else {
             let asked = loops.is_none_or(|loops| loops == 0 || self.diagram.scope.loops.contains(&loops));
             let verdict = if asked { Agreement::Disagrees } else { Agreement::Silent };

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use rmpfit::{MPConfig, MPError, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 use thiserror::Error;
 
-use crate::residuals::{Computed, Datum};
+use crate::residuals::{Computed, Datum, Missing};
 
 /// The oscillator with these values of the constants, dimensionless, in units that do not depend on the
 /// constants; none where it does not exist.
@@ -47,14 +47,14 @@ pub enum Weight {
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FitError {
     /// A measurement cannot be computed for the constants with which the search begins.
-    #[error(
-        "line {line}: the constants in the file give no such result: start from other constants with --set, or leave the line out"
-    )]
+    #[error("line {line}: {missing}")]
     Start {
         /// The line of the measurement.
         line: u32,
         /// The index of the measurement in the data.
         datum: usize,
+        /// The reason.
+        missing: Missing,
     },
     /// There are fewer measured numbers than unknowns.
     #[error(
@@ -116,11 +116,13 @@ impl Problem<'_> {
         &all[from..from + self.data[datum].own().len()]
     }
 
-    /// The residuals of all data; an error with the index of the first datum that cannot be computed.
-    fn residuals(&self, all: &[f64]) -> Result<Vec<Computed>, usize> {
-        let oscillator = (self.rig)(&all[..self.constants]).ok_or(0_usize)?;
+    /// The residuals of all data; an error about the first datum that cannot be computed.
+    fn residuals(&self, all: &[f64]) -> Result<Vec<Computed>, FitError> {
+        let start = |datum: usize, (line, missing)| FitError::Start { line, datum, missing };
+        let none = || start(0, (self.data[0].line(), Missing::Result));
+        let oscillator = (self.rig)(&all[..self.constants]).ok_or_else(none)?;
         let of = |(index, datum): (usize, &Datum)| {
-            datum.residuals(&oscillator, self.window, self.own(all, index)).ok_or(index)
+            datum.residuals(&oscillator, self.window, self.own(all, index)).map_err(|lost| start(index, lost))
         };
         self.data.par_iter().enumerate().map(of).collect::<Vec<_>>().into_iter().collect()
     }
@@ -194,7 +196,7 @@ impl MPFitter for Problem<'_> {
                 let side = |by: f64| {
                     let moved = moved(place, by);
                     let found = datum.residuals(&oscillator, self.window, self.own(&moved, index));
-                    found.map(|(numbers, _)| numbers).ok_or(MPError::Eval)
+                    found.map(|(numbers, _)| numbers).map_err(|_| MPError::Eval)
                 };
                 let (above, below) = (side(STEP)?, side(-STEP)?);
                 column.fill(0.0);
@@ -243,7 +245,7 @@ pub fn fit(
     let free = || MPPar { side: MPSide::User, ..MPPar::new() };
     let parameters = all.iter().map(|_| free()).collect();
     let mut problem = Problem { rig, window, data, weight, constants, begins, numbers, parameters, config };
-    problem.residuals(&all).map_err(|datum| FitError::Start { line: problem.data[datum].line(), datum })?;
+    problem.residuals(&all)?;
     let status = problem.mpfit(&mut all).map_err(|error| FitError::of(&error))?;
     if status.success == MPSuccess::MaxIter {
         return Err(FitError::NoConvergence);

@@ -1,18 +1,21 @@
 //! Identification of an oscillator's constants: the search from diagram to diagram, and the uncertainties
 //! of the resonances that follow.
 
-use grazing_model::ImpactOscillator;
+use grazing_analysis::unfolded::{AtResonance, from_each_wall};
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::smooth::Units;
+use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::measured::{Correlation, Identified, IdentifiedConstant, IdentifiedResonance, Residual};
 use grazing_unfold::family::{ArcEnd, arcs};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
+use grazing_unfold::sequences::{Sequence, sequences};
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use thiserror::Error;
 
 use crate::associate::associate;
 use crate::fit::{Fit, FitError, Rig, Weight, fit};
-use crate::read::{Observation, Seen, Series};
+use crate::read::{Impact, Observation, Seen, Series};
 use crate::residuals::{Datum, Segment};
 
 /// All measurements for an identification.
@@ -104,13 +107,21 @@ pub fn identify(
     let mut at = task.start.to_vec();
     let mut last = Err(IdentifyError::Stopped);
     let mut assumed = [ASSUMED; 3];
-    let needs_curves = measured.points.iter().any(|point| matches!(point.seen, Seen::Bifurcation { .. }));
+    let bifurcation = |point: &Observation| match point.seen {
+        Seen::Bifurcation { kind, walls, .. } => Some((kind, walls)),
+        _ => None,
+    };
+    let bifurcations = || measured.points.iter().filter_map(bifurcation);
+    let needs_curves = bifurcations().next().is_some();
+    let needs_both =
+        bifurcations().any(|(kind, walls)| kind != Bifurcation::NonImpactingGrazing && walls.may_be_both());
     for round in 0..MOST_ROUNDS {
         let (mut data, mut lost) = (Vec::new(), None);
         if needs_curves {
-            let diagram = task.diagram(&at, progress)?;
+            let (diagrams, several) = task.curves(&at, needs_both, progress)?;
+            let known = (&diagrams[0], diagrams.get(1), several.as_slice());
             for point in &measured.points {
-                match associate(std::slice::from_ref(point), &diagram, &task.units) {
+                match associate(std::slice::from_ref(point), known, &task.units) {
                     Ok(located) => {
                         data.extend(located.into_iter().map(|one| Datum::Bifurcation(Box::new(one))))
                     }
@@ -136,9 +147,13 @@ pub fn identify(
         if progress.stopped() {
             return Err(IdentifyError::Stopped);
         }
-        let found = found.map_err(|error| match error {
-            FitError::Undetermined(place) => IdentifyError::Undetermined(task.names[place].clone()),
-            error => error.into(),
+        let found = found.map_err(|error| match (error, lost.clone()) {
+            // What was left out is missed.
+            (FitError::TooFew { .. } | FitError::Undetermined(_), Some(lost)) => lost,
+            (error, _) => match error {
+                FitError::Undetermined(place) => IdentifyError::Undetermined(task.names[place].clone()),
+                error => error.into(),
+            },
         })?;
         let errors = found.errors();
         let seen = scatter(&found, &data, assumed);
@@ -193,19 +208,37 @@ impl Task<'_> {
         named.collect::<Vec<_>>().join(", ")
     }
 
-    fn located(&self, at: &[f64], progress: &dyn Progress) -> Result<Diagram, IdentifyError> {
+    /// The oscillator, located as each wall sees it, for values of the constants: the first, and then the other if there are two.
+    fn located(&self, at: &[f64], progress: &dyn Progress) -> Result<Vec<Diagram>, IdentifyError> {
         let oscillator = (self.rig)(at).ok_or_else(|| IdentifyError::NoOscillator(self.constants(at)))?;
-        Diagram::located(&oscillator, self.scope, progress).map_err(|reason| match reason {
+        let views = from_each_wall(&oscillator, self.scope, &[]);
+        views.map(|view| view.located(progress)).collect::<Result<_, _>>().map_err(|reason| match reason {
             UnfoldError::Stopped { .. } => IdentifyError::Stopped,
             reason => IdentifyError::Diagram { constants: self.constants(at), reason },
         })
     }
 
-    /// The diagram with its curves for values of the constants.
-    fn diagram(&self, at: &[f64], progress: &dyn Progress) -> Result<Diagram, IdentifyError> {
-        let located = self.located(at, progress)?;
-        let followed = located.follow(progress, &|_, _| ());
-        Ok(located.with_curves(followed))
+    /// The diagrams as each wall sees them, with their curves, for values of the constants, and with solutions that hit both walls
+    /// if they are needed.
+    fn curves(
+        &self,
+        at: &[f64],
+        needs_both: bool,
+        progress: &dyn Progress,
+    ) -> Result<(Vec<Diagram>, Vec<Sequence>), IdentifyError> {
+        let followed = |located: Diagram| {
+            let followed = located.follow(progress, &|_, _| ());
+            located.with_curves(followed)
+        };
+        let diagrams: Vec<Diagram> = self.located(at, progress)?.into_iter().map(followed).collect();
+        let both = needs_both.then(|| sequences(&diagrams[0], &self.scope.loops, 1, progress).solutions);
+        Ok((diagrams, both.unwrap_or_default()))
+    }
+
+    /// The oscillator as a wall sees it, for values of the constants.
+    fn seen(&self, at: &[f64], wall: u32) -> Option<AnyOscillator> {
+        let oscillator = (self.rig)(at)?;
+        if wall < 2 { Some(oscillator) } else { oscillator.other_stop() }
     }
 
     /// The record in dimensionless form, divided into segments.
@@ -214,9 +247,13 @@ impl Task<'_> {
         let scales = [time, self.units.velocity(), self.units.velocity()];
         let without = |values: [f64; 3]| [0, 1, 2].map(|k| values[k] / scales[k]);
         let pieces = record.iter().flat_map(|series| {
-            series.impacts.chunks(longest).map(|impacts| Segment {
+            let struck = |impact: &Impact| (impact.line, impact.wall.max(1) as usize - 1);
+            // With one wall nothing is to be said of the impact after the last.
+            let next = usize::from(series.impacts.iter().any(|impact| impact.wall > 1));
+            let begins = (0..series.impacts.len()).step_by(longest);
+            begins.zip(series.impacts.chunks(longest)).map(move |(begin, impacts)| Segment {
                 at: [series.at[0] / primary, series.at[1] / secondary],
-                lines: impacts.iter().map(|impact| impact.line).collect(),
+                struck: series.impacts[begin..].iter().take(impacts.len() + next).map(struck).collect(),
                 impacts: impacts.iter().map(|impact| without(impact.values)).collect(),
                 errors: impacts.iter().map(|impact| without(impact.errors)).collect(),
                 assumed,
@@ -259,16 +296,32 @@ impl Task<'_> {
         })
     }
 
-    /// The resonances, each with the errors that follow from those of the constants.
-    ///
-    /// A resonance is followed by one standard error of each constant to both sides; half the difference
-    /// is the first-order change, and the covariance follows from these changes.
+    /// The resonances at each wall, with the errors that follow from those of the constants; those of walls that are alike are
+    /// listed once, at the first.
     fn resonances(
         &self,
         found: &Fit,
         progress: &dyn Progress,
     ) -> Result<Vec<IdentifiedResonance>, IdentifyError> {
-        let diagram = self.located(&found.values, progress)?;
+        let diagrams = self.located(&found.values, progress)?;
+        let mut known: Vec<AtResonance> = Vec::new();
+        let mut all = Vec::new();
+        for diagram in &diagrams {
+            let at_wall = |resonance| AtResonance::new(resonance, diagram.wall, &self.units);
+            let here: Vec<AtResonance> = diagram.resonances.iter().map(at_wall).collect();
+            let rows = self.resonances_at(found, diagram).into_iter().zip(&here);
+            let new = rows.filter(|(_, at)| !known.iter().any(|known| at.is_like(known)));
+            all.extend(new.map(|(row, _)| row));
+            known.extend(here);
+        }
+        Ok(all)
+    }
+
+    /// The resonances at one wall.
+    ///
+    /// A resonance is followed by one standard error of each constant to both sides; half the difference
+    /// is the first-order change, and the covariance follows from these changes.
+    fn resonances_at(&self, found: &Fit, diagram: &Diagram) -> Vec<IdentifiedResonance> {
         let (errors, count) = (found.errors(), found.values.len());
         let mut changes = vec![vec![[f64::NAN; 2]; count]; diagram.resonances.len()];
         for k in 0..count {
@@ -276,10 +329,10 @@ impl Task<'_> {
                 let between = |way: f64| {
                     let mut at = found.values.clone();
                     at[k] += side * way * errors[k];
-                    (self.rig)(&at)
+                    self.seen(&at, diagram.wall)
                 };
                 let mut ends = vec![None; diagram.resonances.len()];
-                for arc in arcs(&diagram, &between) {
+                for arc in arcs(diagram, &between) {
                     if let (ArcEnd::Across, Some(last)) = (&arc.end, arc.points.last()) {
                         ends[arc.resonance] = Some(last.orbit.oscillator().parameters());
                     }
@@ -308,8 +361,9 @@ impl Task<'_> {
                 "within one standard error of a constant it leaves the ranges, ends or meets another one";
             let reason = if known { String::new() } else { lost.to_owned() };
             let (loops, n) = (resonance.loops, resonance.n);
-            IdentifiedResonance { loops, n, secondary, secondary_error, primary, primary_error, reason }
+            let wall = diagram.wall;
+            IdentifiedResonance { loops, wall, n, secondary, secondary_error, primary, primary_error, reason }
         };
-        Ok(diagram.resonances.iter().zip(changes).map(one).collect())
+        diagram.resonances.iter().zip(changes).map(one).collect()
     }
 }

@@ -13,9 +13,9 @@ mod identify;
 pub mod read;
 mod residuals;
 
-pub use associate::{Located, associate};
+pub use associate::{Known, Located, associate};
 pub use compare::{Apart, NOT_FINISHED, apart, compare};
 pub use fit::{Fit, FitError, Rig, Weight, fit};
 pub use identify::{IdentifyError, Measurements, Task, identify};
-pub use read::{MeasurementError, Observation, Seen, Series};
-pub use residuals::{Datum, Segment};
+pub use read::{MeasurementError, Observation, Seen, Series, Setup, Walls};
+pub use residuals::{Datum, Missing, Segment};

@@ -36,7 +36,21 @@ pub enum Seen {
         kind: Bifurcation,
         /// The number of loops of the solution, if that is known.
         loops: Option<u32>,
+        /// The walls that the solution hits, as far as they are known.
+        walls: Walls,
     },
+}
+
+/// The walls that motion hits, as far as a measurement says so.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Walls {
+    /// Nothing is said of them, or there is only one.
+    #[default]
+    Unsaid,
+    /// One of two walls alone, with its number.
+    One(u32),
+    /// Both of two walls.
+    Both,
 }
 
 /// A measurement at a place of the plane, in the oscillator's own units.
@@ -57,6 +71,8 @@ pub struct Observation {
 pub struct Impact {
     /// The line of the file.
     pub line: u32,
+    /// The number of the wall that is hit, in the order of the oscillator's file; 1 if there is only one.
+    pub wall: u32,
     /// Time, speed before and speed after the impact; the last is NaN if it was not measured.
     pub values: [f64; 3],
     /// The standard errors of time, speed before and speed after; NaN where none is stated.
@@ -85,24 +101,29 @@ pub struct Foreign {
 /// on.
 pub type Renamed = [(String, String)];
 
-/// The measurements in a file, with the names of both parameters.
+/// What is known of an oscillator whose measurements are read.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup<'a> {
+    /// The names of both parameters.
+    pub names: [&'a str; 2],
+    /// Whether the motion is between two walls.
+    pub two_walls: bool,
+}
+
+/// The measurements of an oscillator in a file.
 ///
 /// # Errors
 /// The file cannot be read; otherwise the first mistake in it.
-pub fn points(
-    path: &Path,
-    names: [&str; 2],
-    renamed: &Renamed,
-) -> Result<Vec<Observation>, MeasurementError> {
-    Ok(points_of(&read_foreign(path)?, &path.display().to_string(), names, renamed)?.0)
+pub fn points(path: &Path, of: Setup<'_>, renamed: &Renamed) -> Result<Vec<Observation>, MeasurementError> {
+    Ok(points_of(&read_foreign(path)?, &path.display().to_string(), of, renamed)?.0)
 }
 
-/// The record of impacts in a file, with the names of both parameters.
+/// The record of an oscillator's impacts in a file.
 ///
 /// # Errors
 /// As [`points`].
-pub fn record(path: &Path, names: [&str; 2], renamed: &Renamed) -> Result<Vec<Series>, MeasurementError> {
-    record_of(&read_foreign(path)?, &path.display().to_string(), names, renamed)
+pub fn record(path: &Path, of: Setup<'_>, renamed: &Renamed) -> Result<Vec<Series>, MeasurementError> {
+    record_of(&read_foreign(path)?, &path.display().to_string(), of, renamed)
 }
 
 /// The points of another program's curves in a file, with the names of both parameters.
@@ -125,13 +146,21 @@ pub fn curves(
 pub fn points_of(
     text: &str,
     file: &str,
-    names: [&str; 2],
+    Setup { names, two_walls }: Setup<'_>,
     renamed: &Renamed,
 ) -> Result<(Vec<Observation>, Vec<String>), MeasurementError> {
     let needed = &["{primary}", "{secondary}", "seen"];
     let request = Request { file, names, columns: POINTS, needed, renamed, foreign: false, separated: true };
     let table = Table::read(text, &request)?;
-    let points = table.rows.iter().map(|row| table.observation(row, None)).collect::<Result<_, _>>()?;
+    let point = |row| {
+        let mut point = table.observation(row, None)?;
+        let said = table.walls(row, two_walls)?;
+        if let Seen::Bifurcation { walls, .. } = &mut point.seen {
+            *walls = said;
+        }
+        Ok::<_, MeasurementError>(point)
+    };
+    let points = table.rows.iter().map(point).collect::<Result<_, _>>()?;
     Ok((points, table.names().collect()))
 }
 
@@ -165,11 +194,11 @@ pub fn cells(line: &str) -> Option<Vec<String>> {
 pub fn record_of(
     text: &str,
     file: &str,
-    names: [&str; 2],
+    Setup { names, two_walls }: Setup<'_>,
     renamed: &Renamed,
 ) -> Result<Vec<Series>, MeasurementError> {
-    let needed = ["{primary}", "{secondary}", "time", "velocity_before"];
-    let needed = &needed;
+    let needed = ["{primary}", "{secondary}", "time", "velocity_before", "wall"];
+    let needed = &needed[..if two_walls { 5 } else { 4 }];
     let request = Request { file, names, columns: RECORD, needed, renamed, foreign: false, separated: false };
     let table = Table::read(text, &request)?;
     let mut all: Vec<(&str, Series)> = Vec::new();
@@ -185,7 +214,18 @@ pub fn record_of(
         let before = positive("velocity_before")?;
         let after = known("velocity_after")?;
         let errors = [time_error, speed_error, speed_error];
-        let impact = Impact { line: row.line, values: [time, before, after], errors };
+        let wall = match table.walls(row, two_walls)? {
+            Walls::One(wall) => wall,
+            Walls::Unsaid if !two_walls => 1,
+            _ => {
+                return Err(table.refusal(
+                    row,
+                    "wall",
+                    "write the wall that is hit, 1 or 2, in the order of the oscillator's file",
+                ));
+            }
+        };
+        let impact = Impact { line: row.line, wall, values: [time, before, after], errors };
         match all.last_mut() {
             Some((name, last)) if *name == series && last.at == at => {
                 if last.impacts.last().is_some_and(|before| before.values[0] >= time) {
@@ -242,10 +282,33 @@ impl Seen {
                 format!("{} in {}", several(*impacts, "impact"), several(*periods, "period"))
             }
             Self::Irregular => "irregular".to_owned(),
-            Self::Bifurcation { kind, loops: Some(p) } if *kind != Bifurcation::NonImpactingGrazing => {
-                format!("{} of p = {p}", kind.name())
+            Self::Bifurcation { kind, loops: Some(p), walls }
+                if *kind != Bifurcation::NonImpactingGrazing =>
+            {
+                format!("{} of p = {p}{}", kind.name(), walls.words())
             }
-            Self::Bifurcation { kind, .. } => kind.name().to_owned(),
+            Self::Bifurcation { kind, walls, .. } => format!("{}{}", kind.name(), walls.words()),
+        }
+    }
+}
+
+impl Walls {
+    /// Whether solutions may be those that hit one wall alone, with its number.
+    pub(crate) fn may_be(self, wall: u32) -> bool {
+        self == Self::Unsaid || self == Self::One(wall)
+    }
+
+    /// Whether solutions may be those that hit both walls.
+    pub(crate) fn may_be_both(self) -> bool {
+        self == Self::Unsaid || self == Self::Both
+    }
+
+    /// The words that follow those about motion.
+    fn words(self) -> String {
+        match self {
+            Self::Unsaid => String::new(),
+            Self::One(wall) => format!(" at wall {wall}"),
+            Self::Both => " at both walls".to_owned(),
         }
     }
 }
@@ -262,7 +325,7 @@ impl Table<'_> {
         };
         let errors = [error("{primary}_error")?, error("{secondary}_error")?];
         let seen = match otherwise {
-            Some((kind, loops)) => Seen::Bifurcation { kind, loops },
+            Some((kind, loops)) => Seen::Bifurcation { kind, loops, walls: Walls::Unsaid },
             None => self.seen(row)?,
         };
         Ok(Observation { line: row.line, at: self.place(row)?, errors, seen })
@@ -287,12 +350,35 @@ impl Table<'_> {
             }
             "irregular" => Ok(Seen::Irregular),
             _ => match Bifurcation::understood(word) {
-                Some(kind) => Ok(Seen::Bifurcation { kind, loops: self.count(row, "p", 0, None)? }),
+                Some(kind) => {
+                    let loops = self.count(row, "p", 0, None)?;
+                    Ok(Seen::Bifurcation { kind, loops, walls: Walls::Unsaid })
+                }
                 None => {
                     let what = "write none, periodic, irregular, or a bifurcation";
                     Err(self.refusal(row, "seen", &format!("{what}: {}", Bifurcation::NAMES)))
                 }
             },
+        }
+    }
+
+    /// The walls in a cell, which may be empty.
+    fn walls(&self, row: &Row, two_walls: bool) -> Result<Walls, MeasurementError> {
+        match (self.optional(row, "wall"), two_walls) {
+            ("", _) | ("1" | "1.0", false) => Ok(Walls::Unsaid),
+            ("1" | "1.0", true) => Ok(Walls::One(1)),
+            ("2" | "2.0", true) => Ok(Walls::One(2)),
+            ("1-2" | "2-1", true) => Ok(Walls::Both),
+            (_, true) => Err(self.refusal(
+                row,
+                "wall",
+                "write 1 or 2, in the order of the oscillator's file, or 1-2 for motion that hits both",
+            )),
+            (_, false) => Err(self.refusal(
+                row,
+                "wall",
+                "the oscillator has one wall: write 1, or leave the column out",
+            )),
         }
     }
 }

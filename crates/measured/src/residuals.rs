@@ -13,16 +13,18 @@ use grazing_model::maps::MapError;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use grazing_unfold::non_impacting;
+use thiserror::Error;
 
-use crate::associate::Located;
+use crate::associate::{Located, Solutions};
 
 /// Consecutive impacts, dimensionless.
 #[derive(Clone, Debug)]
 pub struct Segment {
     /// Primary and secondary parameter.
     pub at: [f64; 2],
-    /// The lines of the file, one for each impact.
-    pub lines: Vec<u32>,
+    /// The line of the file and the stop that is hit, of each impact: 0 for that at x = 0, 1 for the other of two. Between two
+    /// walls one more may follow, of the next impact, which must hit its stop as well.
+    pub struck: Vec<(u32, usize)>,
     /// Time, speed before and speed after each impact; a quantity that was not measured is NaN.
     pub impacts: Vec<[f64; 3]>,
     /// The standard errors of time, speed before and speed after; NaN where none is stated.
@@ -38,6 +40,21 @@ pub enum Datum {
     Bifurcation(Box<Located>),
     /// A series of impacts.
     Impacts(Segment),
+}
+
+/// The reason why a datum cannot be computed.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum Missing {
+    /// There is no such impact, or no such curve.
+    #[error(
+        "the constants in the file give no such result: start from other constants with --set, or leave the line out"
+    )]
+    Result,
+    /// The motion from the impact before hits the other wall first.
+    #[error(
+        "the motion from the impact before hits wall {0} first: is the wall right here and there, and is no impact missing? Otherwise start from other constants with --set, or leave the line out"
+    )]
+    AtWall(usize),
 }
 
 /// The residuals of a datum in standard errors and, for a bifurcation, the point of the curve with the
@@ -62,7 +79,7 @@ impl Datum {
     pub(crate) fn line(&self) -> u32 {
         match self {
             Self::Bifurcation(located) => located.line,
-            Self::Impacts(segment) => segment.lines.first().copied().unwrap_or(0),
+            Self::Impacts(segment) => segment.struck.first().map_or(0, |(line, _)| *line),
         }
     }
 
@@ -80,11 +97,11 @@ impl Datum {
             Self::Bifurcation(located) => vec![(located.line, located.quantity.clone())],
             Self::Impacts(segment) => {
                 let names = ["time", "velocity_before", "velocity_after"];
-                let of = |(impact, line): (&[f64; 3], &u32)| {
+                let of = |(impact, (line, _)): (&[f64; 3], &(u32, usize))| {
                     let known = impact.iter().zip(names).filter(|(value, _)| !value.is_nan());
                     known.map(|(_, name)| (*line, name.to_owned())).collect::<Vec<_>>()
                 };
-                segment.impacts.iter().zip(&segment.lines).flat_map(of).collect()
+                segment.impacts.iter().zip(&segment.struck).flat_map(of).collect()
             }
         }
     }
@@ -97,18 +114,21 @@ impl Datum {
     }
 
     /// The residuals of the datum in standard errors and, for a bifurcation, the solution on the curve.
+    ///
+    /// # Errors
+    /// The line of what cannot be computed, and the reason.
     pub(crate) fn residuals(
         &self,
         oscillator: &AnyOscillator,
         window: Window,
         own: &[f64],
-    ) -> Option<Computed> {
+    ) -> Result<Computed, (u32, Missing)> {
         match self {
             Self::Bifurcation(located) => {
-                let found = located.foot(oscillator, window)?;
-                Some((vec![located.residual(&found)], Some(found)))
+                let found = located.foot(oscillator, window).ok_or((located.line, Missing::Result))?;
+                Ok((vec![located.residual(&found)], Some(found)))
             }
-            Self::Impacts(segment) => Some((segment.residuals(oscillator, [own[0], own[1]])?, None)),
+            Self::Impacts(segment) => Ok((segment.residuals(oscillator, [own[0], own[1]])?, None)),
         }
     }
 }
@@ -116,11 +136,13 @@ impl Datum {
 impl Located {
     /// The point of the curve nearest to the measured place, and the direction of the curve there.
     fn foot(&self, oscillator: &AnyOscillator, window: Window) -> Option<[Unknowns; 2]> {
-        let equations = match self.loops {
+        let Solutions { condition, loops, stops } = &self.of;
+        let equations = match *loops {
             0 => non_impacting::equations(oscillator, window),
-            loops => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase),
+            loops => LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase)
+                .at_stops(stops.iter().copied()),
         };
-        let curve = SolutionCurve { equations, condition: self.condition };
+        let curve = SolutionCurve { equations, condition: *condition };
         // Newton's method with steps of least norm; it also returns the direction of the curve at the
         // solution.
         let onto = |near: Unknowns, mut along: Unknowns| {
@@ -183,33 +205,49 @@ fn length([one, other]: [f64; 2]) -> f64 {
 
 impl Segment {
     /// The residuals of the series if the first impact has this time and speed.
-    fn residuals(&self, oscillator: &AnyOscillator, [time, speed]: [f64; 2]) -> Option<Vec<f64>> {
+    ///
+    /// # Errors
+    /// The line of the first impact that the motion does not have, or has at the other wall.
+    fn residuals(
+        &self,
+        oscillator: &AnyOscillator,
+        [time, speed]: [f64; 2],
+    ) -> Result<Vec<f64>, (u32, Missing)> {
         let here = oscillator.with_parameters(self.at);
-        if !(speed > 0.0 && time.is_finite()) {
-            return None;
-        }
+        let other = here.other_stop();
+        let (line, stop) = self.struck[0];
         let first = State::on_wall(speed, here.forcing_frequency().value * time);
+        let walls_meet = other.is_some() && here.gap(first.phase)[0].value <= 0.0;
+        if !(speed > 0.0 && time.is_finite()) || walls_meet {
+            return Err((line, Missing::Result));
+        }
         let count = self.impacts.len();
         // Twice the measured duration: anything later belongs to another orbit.
         let horizon = 2.0 * (self.impacts[count - 1][0] - self.impacts[0][0]) + here.forcing_period();
-        let flights = Orbit::new(&here, first, horizon, count);
-        let struck = flights.filter_map(|flight| match flight.end {
-            FlightEnd::Impact(state) => Some((flight.start + flight.duration, state)),
+        let flights = Orbit::from_stop(&here, (stop, first), horizon, self.struck.len());
+        let hits = flights.filter_map(|flight| match flight.end {
+            FlightEnd::Impact(state) => Some((flight.stop, flight.start + flight.duration, state)),
             FlightEnd::TimeIsUp(_) => None,
         });
+        let mut hits = [(stop, 0.0, first)].into_iter().chain(hits);
         let mut left = Vec::with_capacity(self.count());
-        let mut seen = 0;
-        for ((measured, errors), (after, state)) in
-            self.impacts.iter().zip(&self.errors).zip([(0.0, first)].into_iter().chain(struck))
-        {
-            let recoil = here.reset::<0>(OnWall::new(state.velocity, state.phase)).image();
+        for (index, &(line, stop)) in self.struck.iter().enumerate() {
+            let (Some((hit, after, state)), measured) = (hits.next(), self.impacts.get(index)) else {
+                // The impact after the last is not measured here.
+                if index < count { return Err((line, Missing::Result)) } else { break }
+            };
+            if hit != stop {
+                return Err((line, Missing::AtWall(hit + 1)));
+            }
+            let Some((measured, errors)) = measured.zip(self.errors.get(index)) else { break };
+            let seen = if stop == 0 { &here } else { other.as_ref().unwrap_or(&here) };
+            let recoil = seen.reset::<0>(OnWall::new(state.velocity, state.phase)).image();
             let computed = [time + after, state.velocity, -recoil.velocity];
             let numbers = (0..3).filter(|k| !measured[*k].is_nan());
             let error = |k: usize| if errors[k].is_nan() { self.assumed[k] } else { errors[k] };
             left.extend(numbers.map(|k| (computed[k] - measured[k]) / error(k)));
-            seen += 1;
         }
-        (seen == count && left.iter().all(|value| value.is_finite())).then_some(left)
+        if left.iter().all(|value| value.is_finite()) { Ok(left) } else { Err((line, Missing::Result)) }
     }
 
     fn count(&self) -> usize {

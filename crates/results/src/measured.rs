@@ -86,6 +86,7 @@ rows! {
     /// A resonance with the uncertainty that follows from the uncertainties of the constants.
     IdentifiedResonance {
         loops: u32 = LOOPS,
+        wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
         secondary: f64 = SECONDARY_AT_RESONANCE,
         secondary_error: f64 = RESONANCE_ERROR,

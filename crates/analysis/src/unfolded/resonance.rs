@@ -66,7 +66,7 @@ impl AtResonance {
     }
 
     /// Whether it is the same at another wall, which is alike.
-    pub(super) fn is_like(&self, other: &Self) -> bool {
+    pub fn is_like(&self, other: &Self) -> bool {
         let near = |(one, another): (f64, f64)| (one - another).abs() <= ALIKE * one.abs();
         (self.loops, self.n) == (other.loops, other.n)
             && self.parameters.into_iter().zip(other.parameters).all(near)

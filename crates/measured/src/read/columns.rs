@@ -14,6 +14,10 @@ pub const POINTS: Columns = &[
     ("periods", "forcing periods after which periodic motion repeats; for `none`, 1 if empty"),
     ("impacts", "impacts in these periods"),
     ("p", "for a bifurcation, the number of loops; empty if unknown"),
+    (
+        "wall",
+        "for a bifurcation between two walls, `1`, `2`, or `1-2` for motion that hits both; empty or left out if unknown",
+    ),
 ];
 
 /// The columns of a file of impacts.
@@ -21,6 +25,10 @@ pub const RECORD: Columns = &[
     ("{primary}", "the primary parameter, under its name in the oscillator's file"),
     ("{secondary}", "the secondary parameter, likewise"),
     ("series", "a name for a series of consecutive impacts; may be left out if all impacts are consecutive"),
+    (
+        "wall",
+        "the wall that is hit, `1` or `2` in the order of the oscillator's file; may be left out if there is only one",
+    ),
     ("time", "time of the impact, measured like t in the oscillator's file"),
     ("velocity_before", "speed before the impact, relative to the wall"),
     ("velocity_after", "speed after it, relative to the wall; empty or left out if it was not measured"),

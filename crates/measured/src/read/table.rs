@@ -45,7 +45,7 @@ pub(super) fn named(column: &str, [primary, secondary]: [&str; 2]) -> String {
 }
 
 /// The columns that hold words.
-const WORDS: [&str; 2] = ["seen", "series"];
+const WORDS: [&str; 3] = ["seen", "series", "wall"];
 const FIRST: &str = "the first line names the columns";
 
 impl<'t> Table<'t> {

@@ -4,3 +4,4 @@ mod programs;
 mod read;
 mod several;
 mod synthetic;
+mod walls;

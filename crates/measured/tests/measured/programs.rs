@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_measured::read::{Foreign, curves, points};
+use grazing_measured::read::{Foreign, Setup, curves, points};
 
 const NAMES: [&str; 2] = ["A", "omega"];
 
@@ -19,7 +19,8 @@ fn file(content: &[u8]) -> (tempfile::TempDir, PathBuf) {
 /// The places in a file and what was seen there, or the message.
 fn read(content: &[u8]) -> Result<Vec<String>, String> {
     let (_folder, path) = file(content);
-    let read = points(&path, NAMES, &[]).map_err(|error| error.to_string());
+    let read =
+        points(&path, Setup { names: NAMES, two_walls: false }, &[]).map_err(|error| error.to_string());
     read.map(|read| read.iter().map(|one| format!("{:?} {}", one.at, one.seen.words())).collect())
 }
 

@@ -1,19 +1,21 @@
 //! Files of measurements, and messages about mistakes in them.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_measured::read::{Foreign, curves_of, points_of, record_of};
+use grazing_measured::read::{Foreign, Setup, curves_of, points_of, record_of};
 
 const NAMES: [&str; 2] = ["A", "omega"];
+const ONE: Setup<'_> = Setup { names: NAMES, two_walls: false };
+const TWO: Setup<'_> = Setup { names: NAMES, two_walls: true };
 
 fn refused(text: &str) -> String {
-    points_of(text, "rig.csv", NAMES, &[]).unwrap_err().to_string()
+    points_of(text, "rig.csv", ONE, &[]).unwrap_err().to_string()
 }
 
 #[test]
 fn places_are_read_as_they_are_written() {
     let text = "\u{feff}# a rig\nomega, A ,A_error,seen,periods,impacts,p\n0.8,0.25,0.01,none,,,\n\n\
                 0.8,\"0.3\",,periodic,6,3,\n0.8,0.4,0,SN,,,2\r\n0.8,0.5,,irregular,,,\n";
-    let (read, columns) = points_of(text, "rig.csv", NAMES, &[]).unwrap();
+    let (read, columns) = points_of(text, "rig.csv", ONE, &[]).unwrap();
     assert_eq!(columns, ["omega", "A", "A_error", "seen", "periods", "impacts", "p"]);
     let seen: Vec<String> = read.iter().map(|one| format!("{} {}", one.line, one.seen.words())).collect();
     assert_eq!(seen, ["3 no impacts", "5 3 impacts in 6 periods", "6 SN of p = 2", "7 irregular"]);
@@ -45,7 +47,7 @@ fn columns_of_another_program_are_found_by_the_names_that_are_given() {
 
 /// The places and what was seen there.
 fn read(text: &str) -> Vec<(f64, f64, String)> {
-    let (read, _) = points_of(text, "rig.csv", NAMES, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let (read, _) = points_of(text, "rig.csv", ONE, &[]).unwrap_or_else(|error| panic!("{error}"));
     read.iter().map(|one| (one.at[0], one.at[1], one.seen.words())).collect()
 }
 
@@ -172,13 +174,13 @@ fn mistakes_are_named_with_file_line_column_value_and_remedy() {
     }
     let rows = |count: usize| format!("A,omega,seen\n{}", "1,2,none\n".repeat(count));
     assert!(refused(&rows(10_001)).contains("at most 10000"));
-    assert!(points_of(&rows(10_000), "rig.csv", NAMES, &[]).is_ok());
+    assert!(points_of(&rows(10_000), "rig.csv", ONE, &[]).is_ok());
 }
 
 #[test]
 fn impacts_fall_into_series_in_the_order_of_time() {
     let head = "A,omega,series,time,velocity_before,velocity_after,time_error,velocity_error\n";
-    let read = |rows: &str| record_of(&format!("{head}{rows}"), "rig.csv", NAMES, &[]);
+    let read = |rows: &str| record_of(&format!("{head}{rows}"), "rig.csv", ONE, &[]);
     let series = read("1,2,a,0,0.5,0.4,1e-3,1e-2\n1,2,a,3,0.6,,1e-3,1e-2\n1,2,b,1,0.5,,1e-3,1e-2\n").unwrap();
     assert_eq!(series.iter().map(|one| one.impacts.len()).collect::<Vec<_>>(), [2, 1]);
     assert!(series[0].impacts[1].values[2].is_nan());
@@ -195,22 +197,68 @@ fn columns_of_measurements_are_named_or_numbered_as_those_of_another_program() {
     let renamed = |pairs: &[(&str, &str)]| -> Vec<(String, String)> {
         pairs.iter().map(|(name, column)| ((*name).to_owned(), (*column).to_owned())).collect()
     };
-    let plain = points_of("A,omega,seen,p\n0.5,0.9,SN,2\n", "rig.csv", NAMES, &[]).unwrap().0;
+    let plain = points_of("A,omega,seen,p\n0.5,0.9,SN,2\n", "rig.csv", ONE, &[]).unwrap().0;
     let called = renamed(&[("A", "drive"), ("seen", "what")]);
-    let read = points_of("drive,omega,what,p\n0.5,0.9,SN,2\n", "rig.csv", NAMES, &called).unwrap().0;
+    let read = points_of("drive,omega,what,p\n0.5,0.9,SN,2\n", "rig.csv", ONE, &called).unwrap().0;
     assert_eq!(read, plain);
     let numbered = renamed(&[("A", "3"), ("omega", "1"), ("seen", "2"), ("p", "4")]);
-    let mut read = points_of("0.9,SN,0.5,2\n", "rig.csv", NAMES, &numbered).unwrap().0;
+    let mut read = points_of("0.9,SN,0.5,2\n", "rig.csv", ONE, &numbered).unwrap().0;
     // Without a header the row is one line higher.
     read.iter_mut().for_each(|point| point.line += 1);
     assert_eq!(read, plain);
     let impacts = "A,omega,time,velocity_before\n0.5,0.9,1.0,0.3\n0.5,0.9,8.0,0.4\n";
-    let plain = record_of(impacts, "rig.csv", NAMES, &[]).unwrap();
+    let plain = record_of(impacts, "rig.csv", ONE, &[]).unwrap();
     let called = renamed(&[("time", "t"), ("velocity_before", "v")]);
     let text = impacts.replace("time", "t").replace("velocity_before", "v");
     // What was not measured is NaN, which equals nothing.
-    let read = record_of(&text, "rig.csv", NAMES, &called).unwrap();
+    let read = record_of(&text, "rig.csv", ONE, &called).unwrap();
     assert_eq!(format!("{read:?}"), format!("{plain:?}"));
-    let unknown = points_of("A,omega,seen\n", "rig.csv", NAMES, &renamed(&[("weight", "A")])).unwrap_err();
+    let unknown = points_of("A,omega,seen\n", "rig.csv", ONE, &renamed(&[("weight", "A")])).unwrap_err();
     assert!(unknown.to_string().contains("weight"), "{unknown}");
+}
+
+#[test]
+fn walls_are_read_as_the_oscillator_has_them() {
+    let points = |setup, rows: &str| {
+        points_of(&format!("A,omega,seen,p,wall\n{rows}"), "rig.csv", setup, &[])
+            .map_err(|error| error.to_string())
+    };
+    let (read, _) = points(TWO, "1,2,SN,1,1\n1,2,SN,1,2.0\n1,2,PF,,1-2\n1,2,graz,,\n1,2,none,,\n").unwrap();
+    let seen: Vec<String> = read.iter().map(|one| one.seen.words()).collect();
+    assert_eq!(
+        seen,
+        ["SN of p = 1 at wall 1", "SN of p = 1 at wall 2", "PF at both walls", "graz", "no impacts"]
+    );
+    let (read, _) = points(ONE, "1,2,SN,1,1\n").unwrap();
+    assert_eq!(read[0].seen.words(), "SN of p = 1");
+    let record = |setup, head: &str, rows: &str| {
+        let text = format!("A,omega,time,velocity_before{head}\n{rows}");
+        record_of(&text, "rig.csv", setup, &[]).map_err(|error| error.to_string())
+    };
+    let walls = |series: &[grazing_measured::Series]| {
+        series.iter().flat_map(|one| &one.impacts).map(|impact| impact.wall).collect::<Vec<_>>()
+    };
+    assert_eq!(walls(&record(TWO, ",wall", "1,2,0,0.5,2\n1,2,3,0.5,1\n").unwrap()), [2, 1]);
+    assert_eq!(walls(&record(ONE, ",wall", "1,2,0,0.5,\n1,2,3,0.5,1\n").unwrap()), [1, 1]);
+    assert_eq!(walls(&record(ONE, "", "1,2,0,0.5\n").unwrap()), [1]);
+    for (refused, parts) in [
+        (
+            points(ONE, "1,2,SN,1,2\n").map(|_| ()),
+            vec!["rig.csv:2: column wall: `2`", "one wall", "leave the column out"],
+        ),
+        (points(TWO, "1,2,SN,1,3\n").map(|_| ()), vec!["rig.csv:2: column wall: `3`", "1-2"]),
+        (record(TWO, "", "1,2,0,0.5\n").map(|_| ()), vec!["rig.csv:1", "wall is missing"]),
+        (
+            record(TWO, ",wall", "1,2,0,0.5,1\n1,2,3,0.5,\n").map(|_| ()),
+            vec!["rig.csv:3: column wall: nothing", "1 or 2"],
+        ),
+        (
+            record(TWO, ",wall", "1,2,0,0.5,1-2\n").map(|_| ()),
+            vec!["rig.csv:2: column wall: `1-2`", "1 or 2"],
+        ),
+        (record(ONE, ",wall", "1,2,0,0.5,2\n").map(|_| ()), vec!["rig.csv:2: column wall: `2`", "one wall"]),
+    ] {
+        let told = refused.unwrap_err();
+        parts.iter().for_each(|part| assert!(told.contains(part), "{part}: {told}"));
+    }
 }

@@ -7,7 +7,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_measured::read::Impact;
 use grazing_measured::{
-    Datum, Fit, Measurements, Observation, Seen, Segment, Series, Task, Weight, associate, fit, identify,
+    Datum, Fit, Measurements, Observation, Seen, Segment, Series, Task, Walls, Weight, associate, fit,
+    identify,
 };
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::smooth::Units;
@@ -41,16 +42,20 @@ fn diagram(constants: &[f64]) -> Diagram {
 }
 
 /// Normally distributed numbers.
-struct Noise(Pcg64);
+pub(crate) struct Noise(Pcg64);
 
 impl Noise {
-    fn of(rig: u32) -> Self {
+    pub(crate) fn of(rig: u32) -> Self {
         Self(Pcg64::new(20_261_124, u128::from(rig)))
     }
 
-    fn next(&mut self) -> f64 {
-        let mut uniform = || (f64::from(self.0.next_u32()) + 0.5) / 4_294_967_296.0;
-        (-2.0 * libm::log(uniform())).sqrt() * libm::cos(TAU * uniform())
+    /// A number between 0 and 1.
+    pub(crate) fn uniform(&mut self) -> f64 {
+        (f64::from(self.0.next_u32()) + 0.5) / 4_294_967_296.0
+    }
+
+    pub(crate) fn next(&mut self) -> f64 {
+        (-2.0 * libm::log(self.uniform())).sqrt() * libm::cos(TAU * self.uniform())
     }
 }
 
@@ -59,9 +64,10 @@ fn places(truth: &Diagram) -> Vec<(Seen, [f64; 2])> {
     let mut all = Vec::new();
     let grazing: Vec<[f64; 2]> = truth.grazing.iter().flat_map(|curve| curve.parameters()).collect();
     let kind = Bifurcation::NonImpactingGrazing;
-    all.extend((1..5).map(|k| (Seen::Bifurcation { kind, loops: None }, grazing[k * grazing.len() / 5])));
+    let seen = |kind, loops| Seen::Bifurcation { kind, loops, walls: Walls::Unsaid };
+    all.extend((1..5).map(|k| (seen(kind, None), grazing[k * grazing.len() / 5])));
     for curve in &truth.curves {
-        let seen = Seen::Bifurcation { kind: curve.kind, loops: Some(curve.loops) };
+        let seen = seen(curve.kind, Some(curve.loops));
         let bends = matches!(curve.kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
         let points = curve.curve.parameters();
         all.extend(
@@ -134,7 +140,7 @@ fn errors_of_constants_from_bifurcations_are_true() {
     let places = places(&begin);
     let one = |number| {
         let points = measured(&places, [2e-3, 1e-3], number);
-        let located = associate(&points, &begin, &Units::ONE).unwrap();
+        let located = associate(&points, (&begin, None, &[]), &Units::ONE).unwrap();
         let data = located.into_iter().map(|located| Datum::Bifurcation(Box::new(located))).collect();
         fit(&rig, &START, WINDOW, data, Weight::Full).unwrap()
     };
@@ -150,7 +156,8 @@ fn errors_of_constants_from_impacts_are_true() {
         let segment = |(at, impacts): &([f64; 2], Vec<[f64; 3]>)| {
             let impacts = noisy(impacts, &mut noise);
             let errors = vec![IMPACT_ERRORS; impacts.len()];
-            Datum::Impacts(Segment { at: *at, lines: (2..10).collect(), impacts, errors, assumed: [1.0; 3] })
+            let struck = (2..10).map(|line| (line, 0)).collect();
+            Datum::Impacts(Segment { at: *at, struck, impacts, errors, assumed: [1.0; 3] })
         };
         let data = truth.iter().map(segment).collect();
         fit(&rig, &START, WINDOW, data, Weight::Full).unwrap()
@@ -165,7 +172,8 @@ fn constants_are_found_from_afar_and_tell_the_resonances() {
     let at = [0.4, 0.8];
     let mut noise = Noise::of(1);
     let impacts = noisy(&impacts(at, [0.3, 0.9], 20), &mut noise);
-    let impacts = (2..).zip(impacts).map(|(line, values)| Impact { line, values, errors: IMPACT_ERRORS });
+    let impacts =
+        (2..).zip(impacts).map(|(line, values)| Impact { line, wall: 1, values, errors: IMPACT_ERRORS });
     let record = vec![Series { at, impacts: impacts.collect() }];
     let points = measured(&places(&diagram(&TRUTH)), [2e-3, 1e-3], 1);
     let (found, identified) = identify(&task, &Measurements { points, record }, &Silent).unwrap();
@@ -190,7 +198,7 @@ fn from_record(errors: [f64; 3]) -> (Fit, Measurements) {
     let mut noise = Noise::of(2);
     let series = |(at, first, count): &([f64; 2], [f64; 2], usize)| {
         let impacts = noisy(&impacts(*at, *first, *count), &mut noise);
-        let impacts = (2..).zip(impacts).map(|(line, values)| Impact { line, values, errors });
+        let impacts = (2..).zip(impacts).map(|(line, values)| Impact { line, wall: 1, values, errors });
         Series { at: *at, impacts: impacts.collect() }
     };
     let record = [([0.6, 0.7], [1.0, 0.4], 8), ([0.9, 0.8], [0.5, 0.6], 16)].iter().map(series).collect();
