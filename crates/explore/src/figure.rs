@@ -2,6 +2,7 @@
 
 use grazing_analysis::place::at_place;
 use grazing_analysis::plane;
+use grazing_analysis::sequences;
 use grazing_analysis::unfolded::{AtWall, Prepared, straightened_at};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::smooth::Stop;
@@ -17,7 +18,7 @@ use serde::Deserialize;
 
 use crate::answer::Problem;
 use crate::cut::CutLine;
-use crate::diagram::{problem, whole};
+use crate::diagram::{problem, whole, with_several_impacts};
 use crate::measured::Measured;
 use crate::model::{Model, View};
 use crate::place;
@@ -113,7 +114,10 @@ impl Seen {
                 let compared =
                     measured.map(|rig| rig.beside(model, (&axes, &seen), progress, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
+                let several = with_several_impacts(&seen[0], description.generations(), progress);
                 let mut all = plane::plane_diagram(&axes, (&seen[0], seen.get(1)), Vec::new(), Vec::new());
+                all.several = sequences::rows(&several, &axes.units, seen[0].wall).regions;
+                all.at_both_walls = sequences::at_both_walls(&several, &axes.units, seen[0].wall);
                 all.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
                 Figure::Plane(all, compared)
             }

@@ -105,6 +105,7 @@ pub fn identify(
     progress: &dyn Progress,
 ) -> Result<(Fit, Identified), IdentifyError> {
     let mut at = task.start.to_vec();
+    let mut both = Both::default();
     let mut last = Err(IdentifyError::Stopped);
     let mut assumed = [ASSUMED; 3];
     let bifurcation = |point: &Observation| match point.seen {
@@ -118,8 +119,12 @@ pub fn identify(
     for round in 0..MOST_ROUNDS {
         let (mut data, mut lost) = (Vec::new(), None);
         if needs_curves {
-            let (diagrams, several) = task.curves(&at, needs_both, progress)?;
-            let known = (&diagrams[0], diagrams.get(1), several.as_slice());
+            let diagrams = task.curves(&at, progress)?;
+            if needs_both && !both.are_near(&at) {
+                let solutions = sequences(&diagrams[0], &task.scope.loops, 1, progress).solutions;
+                both = Both { solutions, at: at.clone(), within: Vec::new() };
+            }
+            let known = (&diagrams[0], diagrams.get(1), both.solutions.as_slice());
             for point in &measured.points {
                 match associate(std::slice::from_ref(point), known, &task.units) {
                     Ok(located) => {
@@ -156,6 +161,7 @@ pub fn identify(
             },
         })?;
         let errors = found.errors();
+        both.within.clone_from(&errors);
         let seen = scatter(&found, &data, assumed);
         let settled = (0..at.len()).all(|k| (found.values[k] - at[k]).abs() <= SETTLED * errors[k])
             && (0..3).all(|k| (seen[k] - assumed[k]).abs() <= SETTLED * assumed[k]);
@@ -173,6 +179,24 @@ pub fn identify(
     let found = if found.is_refuted() { found.scaled() } else { found };
     let identified = task.identified(&found, &data, progress)?;
     if progress.stopped() { Err(IdentifyError::Stopped) } else { Ok((found, identified)) }
+}
+
+/// Solutions that hit both of two walls, which take long to find. They are found anew where a constant has moved by more
+/// than its error since.
+#[derive(Default)]
+struct Both {
+    solutions: Vec<Sequence>,
+    /// The constants with which they were found.
+    at: Vec<f64>,
+    /// The errors of the constants, once they are known.
+    within: Vec<f64>,
+}
+
+impl Both {
+    fn are_near(&self, at: &[f64]) -> bool {
+        let mut moved = at.iter().zip(&self.at).zip(&self.within);
+        self.within.len() == at.len() && moved.all(|((one, other), error)| (one - other).abs() <= *error)
+    }
 }
 
 /// The standard errors of times and of speeds for which none is stated, from the residuals.
@@ -218,21 +242,13 @@ impl Task<'_> {
         })
     }
 
-    /// The diagrams as each wall sees them, with their curves, for values of the constants, and with solutions that hit both walls
-    /// if they are needed.
-    fn curves(
-        &self,
-        at: &[f64],
-        needs_both: bool,
-        progress: &dyn Progress,
-    ) -> Result<(Vec<Diagram>, Vec<Sequence>), IdentifyError> {
+    /// The diagrams as each wall sees them, with their curves, for values of the constants.
+    fn curves(&self, at: &[f64], progress: &dyn Progress) -> Result<Vec<Diagram>, IdentifyError> {
         let followed = |located: Diagram| {
             let followed = located.follow(progress, &|_, _| ());
             located.with_curves(followed)
         };
-        let diagrams: Vec<Diagram> = self.located(at, progress)?.into_iter().map(followed).collect();
-        let both = needs_both.then(|| sequences(&diagrams[0], &self.scope.loops, 1, progress).solutions);
-        Ok((diagrams, both.unwrap_or_default()))
+        Ok(self.located(at, progress)?.into_iter().map(followed).collect())
     }
 
     /// The oscillator as a wall sees it, for values of the constants.

@@ -65,10 +65,15 @@ fn above_the_wall_is_below_it_upside_down() {
 
 /// A file with these tables of walls, and this one of impacts.
 fn between(walls: &str, impact: &str) -> Result<Description, String> {
+    between_with(walls, impact, "")
+}
+
+/// A file with these tables of walls, this one of impacts, and what follows the loops.
+fn between_with(walls: &str, impact: &str, last: &str) -> Result<Description, String> {
     let text = format!(
         "name = \"two\"\n[parameters]\ngap = 1.0\n[primary]\nname = \"A\"\nrange = [0.1, 1.5]\n[secondary]\nname = \"omega\"\n\
          range = [0.4, 1.1]\n[motion]\nforce = \"-0.1*v - x + A*cos(omega*t)\"\nfrequency = \"omega\"\n{walls}{impact}[analysis]\n\
-         loops = [1]\n"
+         loops = [1]\n{last}"
     );
     Description::parse(&text, "two.toml").map_err(|error| error.to_string())
 }
@@ -121,4 +126,23 @@ fn walls_that_meet_or_contradict_each_other_are_refused_with_the_place() {
     assert!(between(&[wall("gap", own), wall("-gap", own)].concat(), "").is_ok());
     let error = between("[wall]\nposition = \"0\"\nstiffness = 30.0\n", IMPACT).expect_err("a wall is rigid");
     assert!(error.contains("unknown key wall.stiffness") && error.contains("sqrt(x^2 + s^2)"), "{error}");
+}
+
+#[test]
+fn between_two_walls_own_curves_and_further_generations_are_refused_with_what_to_do() {
+    let two = "[[walls]]\nposition = \"gap\"\n[[walls]]\nposition = \"-gap\"\n";
+    let one = "[wall]\nposition = \"gap\"\n";
+    let curve = "[[curves]]\nname = \"fast\"\nimpact_velocity = 0.5\n";
+    for (last, words) in [
+        (
+            "generations = 2\n",
+            ["analysis.generations", "at one wall alone", "leave generations out", "--at, [[diagrams]]"],
+        ),
+        (curve, ["curves", "own curves are for one wall", "with two [[walls]]", "leave them out"]),
+    ] {
+        let error = between_with(two, IMPACT, last).expect_err("it is refused");
+        assert!(words.iter().all(|word| error.contains(word)), "{error}");
+        assert!(between_with(one, IMPACT, last).is_ok(), "{last}");
+    }
+    assert!(between_with(two, IMPACT, "generations = 1\n").is_ok());
 }

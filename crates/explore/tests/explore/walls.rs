@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use grazing_analysis::unfolded::Unfolded;
-use grazing_explore::{Export, answer};
+use grazing_explore::{Export, Figure, Seen, Wanted, answer};
 use grazing_model::smooth::Stop;
 use grazing_results::plane::PlaneDiagram;
 use grazing_source::Mistake;
@@ -97,6 +97,11 @@ fn both_walls_are_in_one_plane_as_unfold_draws_it() {
     assert!(at_both > 0 && both.count() == at_both);
     let followed = curves.keys().filter(|key| key.contains("both walls")).count();
     assert_eq!(followed, count(drawn.at_both_walls.iter().map(|row| &row.arc)));
+    // What is taken home has them, too.
+    let taken = Seen::of(&model, Some(&seen), &Wanted::Plane, &Silent, &Stop::default()).expect("it grazes");
+    let Figure::Plane(taken, _) = taken.figure else { panic!("it is the plane") };
+    let both = |diagram: &PlaneDiagram| format!("{:?} {:?}", diagram.several, diagram.at_both_walls);
+    assert_eq!(both(&taken), both(&drawn));
     assert_eq!(last["points"].as_array().expect("a list").len(), drawn.points.len());
     assert_eq!(last["resonances"].as_array().expect("a list").len(), 2);
     // Places exactly on the curves of the second wall are found from there; by symmetry they are those of the first.

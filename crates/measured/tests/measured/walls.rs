@@ -12,6 +12,7 @@ use grazing_model::motion::Motion;
 use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator, Units};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
 use grazing_results::measured::Identified;
+use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::{Diagram, Scope};
 
@@ -122,19 +123,24 @@ impl Between {
 const ERRORS: [f64; 3] = [2e-3, 2e-3, 2e-3];
 const IMPACTS: usize = 8;
 
-/// Impacts at a place of a rig with this number, none slow, at both walls; they depend on the first one with slopes of at
-/// most some hundred, so that the errors are small.
+/// Impacts at a random place, none slow, at both walls. They depend on the first one with slopes of at most some hundred, so
+/// that the errors are small, and no impact comes or goes where the constants are one in a hundred others.
 fn run(rig: &Between, noise: &mut Noise) -> ([f64; 2], Vec<Hit>) {
     let mut within = |low: f64, high: f64| low + (high - low) * noise.uniform();
     loop {
         let at = [within(0.6, 1.2), within(0.5, 1.2)];
         let [time, speed] = [within(0.0, 6.0), within(0.4, 1.2)];
-        let run = |speed: f64| rig.impacts(at, (0, [time, speed, rig.restitutions[0] * speed]), IMPACTS);
-        let (hits, beside) = (run(speed), run(speed + 1e-6));
+        let run = |rig: &Between, speed: f64| {
+            rig.impacts(at, (0, [time, speed, rig.restitutions[0] * speed]), IMPACTS)
+        };
+        let (hits, beside) = (run(rig, speed), run(rig, speed + 1e-6));
         let apart = |(a, b): (&Hit, &Hit)| (0..3).map(|k| (a.1[k] - b.1[k]).abs()).fold(0.0, f64::max);
         let steep = hits.iter().zip(&beside).map(apart).fold(0.0, f64::max) > 1e-4;
         let second = hits.iter().filter(|(stop, _)| *stop == 1).count();
-        if hits.len() == IMPACTS && beside.len() == IMPACTS && !steep && (2..IMPACTS - 1).contains(&second) {
+        let stops = |hits: &[Hit]| hits.iter().map(|(stop, _)| *stop).collect::<Vec<_>>();
+        let other = |factor: f64| run(&Between::of(&rig.constants().map(|one| factor * one)), speed);
+        let is_there = || [0.99, 1.01].into_iter().all(|factor| stops(&other(factor)) == stops(&hits));
+        if hits.len() == IMPACTS && !steep && (2..IMPACTS - 1).contains(&second) && is_there() {
             return (at, hits);
         }
     }
@@ -243,9 +249,13 @@ fn identified(
         let s = if tied { values[1] } else { values[2] };
         Some(Between { zeta: values[0], restitutions: [values[1], s], clearances: [gap; 2] }.oscillator())
     };
+    let scope = &scope();
+    identify(&Task { rig: &rig, names: &names, start, scope, units: Units::ONE }, measured, &Silent)
+}
+
+fn scope() -> Scope {
     let window = Window { primary: [0.4, 0.8], secondary: [0.62, 0.72] };
-    let scope = Scope { window, loops: vec![1], start: None };
-    identify(&Task { rig: &rig, names: &names, start, scope: &scope, units: Units::ONE }, measured, &Silent)
+    Scope { window, loops: vec![1], start: None }
 }
 
 /// Noisy runs of a rig, of which one is longer than a segment.
@@ -315,5 +325,55 @@ fn a_wrong_wall_in_one_line_is_named() {
             }
             other => panic!("line {line}: {other:?}"),
         }
+    }
+}
+
+/// Places on the curves of the oscillator beside one wall, near its resonance, where motion does not reach as far as another.
+fn places(restitution: f64, wall: u32) -> Vec<(Seen, [f64; 2])> {
+    let beside = LinearOscillator::new(0.05, restitution, 0.5, 0.7).expect("it is in the domain");
+    let located = Diagram::located(&AnyOscillator::new(beside), &scope(), &Silent).expect("nothing stops it");
+    let followed = located.follow(&Silent, &|_, _| ());
+    let diagram = located.with_curves(followed);
+    let bends = |kind| matches!(kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
+    let curves = diagram.curves.iter().filter(|curve| bends(curve.kind));
+    let of = |curve: &DiagramCurve| {
+        let seen = Seen::Bifurcation { kind: curve.kind, loops: Some(1), walls: Walls::One(wall) };
+        let low = curve
+            .curve
+            .points
+            .iter()
+            .filter(|point| (0.02..0.15).contains(&point.solution.impact_velocity()));
+        let low: Vec<[f64; 2]> = low.map(|point| point.solution.parameters()).collect();
+        [1, 2].map(|k| (seen, low[k * low.len() / 3]))
+    };
+    curves.flat_map(of).collect()
+}
+
+#[test]
+fn bifurcations_at_each_wall_tell_its_restitution() {
+    let [r, s] = [0.7, 0.8];
+    let errors = [1e-3, 5e-4];
+    let measured = |walls: [u32; 2]| {
+        let noise = &mut Noise::of(5);
+        let places = places(r, walls[0]).into_iter().chain(places(s, walls[1]));
+        let grazing =
+            Seen::Bifurcation { kind: Bifurcation::NonImpactingGrazing, loops: None, walls: Walls::Unsaid };
+        let amplitude = |omega: f64| libm::hypot(1.0 - omega * omega, 2.0 * 0.05 * omega);
+        let places = places.chain([0.63, 0.7].map(|omega| (grazing, [amplitude(omega), omega])));
+        let one = |(line, (seen, at)): (u32, (Seen, [f64; 2]))| {
+            let at = [0, 1].map(|k| at[k] + errors[k] * noise.next());
+            Observation { line, at, errors, seen }
+        };
+        Measurements { points: (2..).zip(places).map(one).collect(), record: Vec::new() }
+    };
+    // Where the walls are exchanged, so are the restitutions.
+    for (walls, truth) in [([1, 2], [0.05, r, s]), ([2, 1], [0.05, s, r])] {
+        let (found, tables) = identified(&[0.053, 0.74, 0.76], &measured(walls), false).unwrap();
+        for (k, truth) in truth.into_iter().enumerate() {
+            assert!((found.values[k] - truth).abs() < 3.0 * found.errors()[k], "{} {found:?}", NAMES[k]);
+            assert!(found.errors()[k] < 0.05, "{} {found:?}", NAMES[k]);
+        }
+        assert!(!found.is_refuted(), "{found:?}");
+        assert!(tables.residuals.iter().any(|row| row.quantity == "SN of p = 1 at wall 2"));
     }
 }
