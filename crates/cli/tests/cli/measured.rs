@@ -75,9 +75,12 @@ fn identified(arguments: &[&str]) -> Vec<(f64, f64)> {
 fn constants_of_the_examples_are_those_with_which_their_data_were_made() {
     let [leaf, seen, door, impacts] =
         ["leaf-spring.toml", "leaf-spring-seen.csv", "door.toml", "door-impacts.csv"].map(example);
+    let [gear, flanks] = ["gear-backlash.toml", "gear-impacts.csv"].map(example);
     let from_places = identified(&[&leaf, "--data", &seen, "--free", "zeta,r"]);
     let from_impacts = identified(&[&door, "--record", &impacts, "--free", "c,r"]);
-    for ((value, error), truth) in from_places.iter().chain(&from_impacts).zip([0.018, 0.72, 1.9, 0.45]) {
+    let from_both_walls = identified(&[&gear, "--record", &flanks, "--free", "c,r,j"]);
+    let found = from_places.iter().chain(&from_impacts).chain(&from_both_walls);
+    for ((value, error), truth) in found.zip([0.018, 0.72, 1.9, 0.45, 0.23, 0.64, 1.0]) {
         // Each deviates more than this once in 370.
         assert!((value - truth).abs() < 3.0 * error && *error < 0.05 * truth, "{value} {error} {truth}");
     }
