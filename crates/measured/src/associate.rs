@@ -100,9 +100,10 @@ fn at_both(found: &Sequence, sought: Sought) -> Vec<Points<'_>> {
     found.curves.iter().filter(|_| both).filter_map(|curve| points(curve, &found.stops, sought)).collect()
 }
 
-/// The points of a curve, if it is of this kind.
-fn points<'a>(curve: &'a DiagramCurve, stops: &[usize], (kind, loops, _): Sought) -> Option<Points<'a>> {
-    (curve.kind == kind && loops.is_none_or(|loops| loops == curve.loops)).then_some(())?;
+/// The points of a curve, if it is of this kind. Motion without impacts hits no wall of which anything could be said.
+fn points<'a>(curve: &'a DiagramCurve, stops: &[usize], (kind, loops, walls): Sought) -> Option<Points<'a>> {
+    let hits = curve.loops > 0 || walls == Walls::Unsaid;
+    (hits && curve.kind == kind && loops.is_none_or(|loops| loops == curve.loops)).then_some(())?;
     let points = curve.curve.points.iter().map(|point| {
         let admissible = point.solution.ceiling() <= PeriodicSolution::TOUCH;
         (point.solution.unknowns.clone(), Some(&point.times), admissible)

@@ -152,13 +152,11 @@ pub fn identify(
         if progress.stopped() {
             return Err(IdentifyError::Stopped);
         }
-        let found = found.map_err(|error| match (error, lost.clone()) {
+        let found = found.map_err(|error| match (error, &lost) {
             // What was left out is missed.
-            (FitError::TooFew { .. } | FitError::Undetermined(_), Some(lost)) => lost,
-            (error, _) => match error {
-                FitError::Undetermined(place) => IdentifyError::Undetermined(task.names[place].clone()),
-                error => error.into(),
-            },
+            (FitError::TooFew { .. } | FitError::Undetermined(_), Some(lost)) => lost.clone(),
+            (FitError::Undetermined(place), None) => IdentifyError::Undetermined(task.names[place].clone()),
+            (error, _) => error.into(),
         })?;
         let errors = found.errors();
         both.within.clone_from(&errors);
