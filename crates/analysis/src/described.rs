@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::curve::Window;
-use grazing_description::{Axis, Description, OwnCurve, Property as Written};
+use grazing_input::{Axis, Description, OwnCurve, Property as Written};
 use grazing_model::smooth::{Stop, Stoppable, Units};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OscillatorError};
 use grazing_unfold::levels::{Level, Property};

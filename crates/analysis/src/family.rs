@@ -8,7 +8,7 @@
 mod assembly;
 mod record;
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_results::family::Family;
 use grazing_results::{Names, Tables};

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use core::fmt::{self, Display, Formatter};
 
-use grazing_description::{Axis, Description};
+use grazing_input::{Axis, Description};
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::brief;
 use grazing_unfold::UnfoldError;

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::{MotionReading, Ordinate, Reading};
@@ -100,15 +100,8 @@ pub(crate) fn diagrams(
     let units = description.units();
     let (oscillator, scope) = prepared(description, &units, stop);
     for (diagram, setting) in (1..).zip(description.diagrams()) {
-        let &grazing_description::OneParameter {
-            primary_is_fixed,
-            at,
-            range,
-            seed,
-            sweeps,
-            ordinate,
-            impacts,
-            ..
+        let &grazing_input::OneParameter {
+            primary_is_fixed, at, range, seed, sweeps, ordinate, impacts, ..
         } = setting;
         let line = Line { diagram, primary_is_fixed, at, range }.without_dimensions(&units);
         let unit = if primary_is_fixed { units.secondary } else { units.primary };

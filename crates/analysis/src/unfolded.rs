@@ -5,7 +5,7 @@ mod resonance;
 mod tables;
 
 use grazing_continuation::fit::FitError;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Units;
 use grazing_model::smooth::{Purpose, Stop};
 use grazing_model::{AnyOscillator, ImpactOscillator};

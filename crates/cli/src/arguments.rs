@@ -8,9 +8,8 @@ use clap_complete::Shell;
 
 use grazing_claims::ledger::ClaimKind;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_description::Limits;
 use grazing_drawing::SheetWidth;
-use grazing_source::Setting;
+use grazing_input::{Limits, Setting};
 
 mod values;
 

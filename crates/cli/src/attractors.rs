@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use grazing_input::{Setting, Text};
 use grazing_model::smooth::Stop;
 use grazing_reproduction::figures::beyond_attractors::{
     Attractors, BeyondAttractors, Map, MapRow, RegionCount,
 };
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::{Study, StudyError};
-use grazing_source::{Setting, Text};
 use serde::{Deserialize, Serialize};
 
 use crate::arguments;

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use grazing_claims::published::{Comparison, Published, Rounding, Tally};
-use grazing_description::Limits;
+use grazing_input::Limits;
 use grazing_measured::read::{self, Foreign};
 use grazing_measured::{Apart, apart};
 use grazing_reproduction::Study;

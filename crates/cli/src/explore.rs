@@ -6,9 +6,9 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::slice;
 
-use grazing_description::{Description, FigureStyle};
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Example, Export, Figure, Limits, Seen, Server, Sheet};
+use grazing_input::{Description, FigureStyle};
 use grazing_results::Tables;
 use grazing_results::branches::OneParameter;
 use tempfile::NamedTempFile;
@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
 
 /// Reads the WebAssembly program, which is written with the page as files for any web server.
 fn page<'a>(folder: &Path, program: &Path, examples: &[Example]) -> Result<Plan<'a>, Failure> {
-    let content = grazing_source::read_bytes(program, LARGEST_PROGRAM)
+    let content = grazing_input::read_bytes(program, LARGEST_PROGRAM)
         .map_err(|reason| Failure::file(program, &reason))?;
     if !content.starts_with(WASM) {
         return Err(Failure::input(format!(
@@ -83,7 +83,7 @@ fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
     let mut all = Vec::new();
     if let Some(named) = named {
         let OscillatorFile { text, description, .. } =
-            OscillatorFile::read(named, &[], grazing_description::Limits::USUAL)?;
+            OscillatorFile::read(named, &[], grazing_input::Limits::USUAL)?;
         let file = named.file_name().unwrap_or_default().to_string_lossy().into_owned();
         all.push(Example { name: description.name().to_owned(), file, text: Some(text) });
     }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use askama::Template;
 use grazing_analysis::unfolded::{Prepared, axes};
-use grazing_description::{Description, Limits};
+use grazing_input::{Description, Limits};
 use grazing_model::smooth::{SmoothOscillator as _, Stop};
 use grazing_model::{ImpactOscillator as _, State};
 use grazing_results::Stability;
@@ -103,7 +103,7 @@ fn problem(
 ) -> [String; 4] {
     let axes = [description.primary(), description.secondary()];
     let [[lower, upper], secondary] = axes.map(|axis| axis.range());
-    let formula = |(formula, name): (&grazing_description::Expression, &str)| formula.fortran(name);
+    let formula = |(formula, name): (&grazing_input::Expression, &str)| formula.fortran(name);
     let [force, frequency, restitution, duration] = description.formulas();
     let [velocity, phase] = impact_of(solution);
     let equations = Equations {

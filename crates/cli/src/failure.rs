@@ -4,11 +4,10 @@ use std::error::Error;
 use std::fmt::{self, Display};
 use std::path::Path;
 
-use grazing_description::DescriptionError;
+use grazing_input::{DescriptionError, SettingError};
 use grazing_measured::MeasurementError;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::parameters::ParameterError;
-use grazing_source::SettingError;
 
 /// The exit code where a computation is incomplete.
 pub(crate) const INCOMPLETE: u8 = 3;

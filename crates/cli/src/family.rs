@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_analysis::family::{Plan, Record, assemble, names, records};
 use grazing_analysis::nothing::Nothing;
-use grazing_description::{Description, Limits};
+use grazing_input::{Description, Limits};
 use grazing_model::smooth::Stop;
 use grazing_results::brief;
 

@@ -144,7 +144,7 @@ pub(crate) fn written(folder: &Path, files: &[OutputFile]) -> Result<Vec<(String
 
 /// The content of a file that the program wrote, or of one in its place.
 pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
-    grazing_source::read_bytes(path, MOST_BYTES)
+    grazing_input::read_bytes(path, MOST_BYTES)
 }
 
 /// Removes a file if it is there.

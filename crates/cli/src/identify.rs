@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use grazing_analysis::unfolded::{axes, prepared};
-use grazing_description::{Description, Limits};
+use grazing_input::{Description, Limits};
 use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
 use grazing_model::smooth::SmoothOscillator;
 use grazing_results::measured::Identified;

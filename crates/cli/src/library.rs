@@ -9,15 +9,14 @@ use std::sync::Arc;
 
 use grazing_analysis::place::simulated;
 use grazing_analysis::unfolded::Prepared;
-use grazing_description::{Description, Limits};
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Figure, Model, Seen, View, Wanted};
+use grazing_input::{Description, Limits, Setting, Text, nearest, suggestion};
 use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
 use grazing_results::place::briefly;
 use grazing_results::{Names, Table, Tables};
-use grazing_source::{Setting, Text, nearest, suggestion};
 
 use crate::explore::drawn;
 use crate::failure::Failure;

@@ -15,7 +15,7 @@ use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::Duration;
 
-use grazing_description::Limits;
+use grazing_input::Limits;
 use grazing_model::smooth::Stop;
 
 use crate::failure::{self, Failure};

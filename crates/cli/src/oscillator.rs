@@ -4,10 +4,9 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use grazing_analysis::unfolded::{Prepared, axes};
-use grazing_description::{Description, DescriptionError, Limits};
+use grazing_input::{Description, DescriptionError, Limits, Setting, Text, nearest, suggestion};
 use grazing_measured::Setup;
 use grazing_model::smooth::Stop;
-use grazing_source::{Setting, Text, nearest, suggestion};
 
 use crate::failure::Failure;
 use crate::limits::reading;
@@ -49,7 +48,7 @@ impl OscillatorFile {
 
 /// The text of a file that describes an oscillator.
 pub(crate) fn read_text(file: &Path) -> Result<String, Failure> {
-    Ok(grazing_source::read_file(file).map_err(DescriptionError::from)?)
+    Ok(grazing_input::read_file(file).map_err(DescriptionError::from)?)
 }
 
 /// The text of a file with the settings over it as comments at the top.

@@ -6,8 +6,8 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use grazing_input::shortened;
 use grazing_report::FileDigest;
-use grazing_source::shortened;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 

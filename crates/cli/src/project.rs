@@ -3,8 +3,8 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
+use grazing_input::Text;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_source::Text;
 
 use crate::arguments::ParameterFile;
 use crate::failure::Failure;
@@ -56,7 +56,7 @@ pub(crate) fn parameter_file(named: Option<&Path>) -> Result<(String, String), F
     let Some(file) = named.map(Path::to_owned).or_else(|| Some(root()?.join(PARAMETERS))) else {
         return Ok((PARAMETERS.to_owned(), PARAMETERS_TEXT.to_owned()));
     };
-    let text = grazing_source::read_file(&file).map_err(ParameterError::from)?;
+    let text = grazing_input::read_file(&file).map_err(ParameterError::from)?;
     Ok((file.display().to_string(), text))
 }
 

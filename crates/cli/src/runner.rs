@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use grazing_description::Limits;
+use grazing_input::Limits;
 use grazing_model::smooth::Stop;
 use grazing_unfold::progress::Progress;
 

@@ -6,8 +6,8 @@ use std::env;
 use std::io::{self, IsTerminal, Write};
 use std::sync::{Mutex, PoisonError};
 
+use grazing_input::shortened;
 use grazing_results::directs;
-use grazing_source::shortened;
 use terminal_size::{Width, terminal_size_of};
 
 use crate::commands::CommandLine;

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_analysis::place::at_place;
 use grazing_analysis::unfolded::{AtResonance, Keep, Prepared};
-use grazing_description::Limits;
+use grazing_input::Limits;
 use grazing_measured::{NOT_FINISHED, Observation, compare, read};
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::place::AtPlace;

@@ -1,6 +1,6 @@
 //! Answers, independent of their transport.
 
-use grazing_source::Mistake;
+use grazing_input::Mistake;
 use serde_json::{Value, json};
 
 /// The reason why there is no answer.

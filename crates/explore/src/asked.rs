@@ -1,7 +1,7 @@
 //! Requests of a page, which the server or a worker of the page itself answers.
 
+use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
-use grazing_source::Mistake;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 

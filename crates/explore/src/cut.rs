@@ -2,7 +2,7 @@
 //! long-term behaviour.
 
 use grazing_analysis::one_parameter::{SAMPLING, in_own_units};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::readings::{Ordinate, Reading};

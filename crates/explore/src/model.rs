@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 
 use grazing_analysis::unfolded::{self, Prepared};
-use grazing_description::{Axis, Description, DescriptionError};
+use grazing_input::{Axis, Description, DescriptionError, Mistake, Setting, SettingError, Text};
 use grazing_model::OscillatorError;
 use grazing_model::smooth::Stop;
 use grazing_results::readings::Ordinate;
-use grazing_source::{Mistake, Setting, SettingError, Text};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_input::read_foreign;
 use grazing_results::measured::SeenKind;
-use grazing_source::read_foreign;
 
 use self::cells::{Row, Separator};
 use self::table::{Request, Table};

@@ -3,7 +3,7 @@
 use askama::filters::Safe;
 use grazing_analysis::unfolded::{AtResonance, CurveFinding, axes, curves};
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_description::Description;
+use grazing_input::Description;
 pub(crate) use grazing_results::columns::{C_SN, PRIMARY, SECONDARY};
 use grazing_results::{Column, Table};
 use grazing_unfold::sides::Simulated;

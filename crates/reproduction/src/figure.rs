@@ -11,8 +11,8 @@ use crate::{Study, StudyError};
 /// The imports that the file of every figure uses.
 pub(crate) mod prelude {
     pub(crate) use grazing_drawing::{DrawingError, Sheet, SheetWidth};
+    pub(crate) use grazing_input::{Section, keys};
     pub(crate) use grazing_results::{TablePlan, Tables, Title};
-    pub(crate) use grazing_source::{Section, keys};
 
     pub(crate) use super::{PaperFigure, Remarks};
     pub(crate) use crate::parameters::{FileSection, ParameterError, Parameters};

@@ -23,7 +23,7 @@ pub mod fig10;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use grazing_source::{Requirements, Setting, Text, read_file};
+use grazing_input::{Requirements, Setting, Text, read_file};
 
 use crate::parameters::{ParameterError, Parameters, declaration, requirements};
 

@@ -9,7 +9,7 @@
 mod error;
 pub(crate) mod limits;
 
-use grazing_source::{Key, Keys, Requirements, Section, Source, Text, keys};
+use grazing_input::{Key, Keys, Requirements, Section, Source, Text, keys};
 use grazing_theorems::LinearOscillator;
 
 use limits::{EPSILON, ZETA, damping_ratio, restitution};

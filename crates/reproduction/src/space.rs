@@ -5,11 +5,11 @@
 //! rest after it, and likewise for Π on either side of Σ (a binary space partition with two planes).
 //! [`Space::layer`] is that order; curves are split where they pass from one side to another.
 
+use grazing_input::kind::{above, number, numbers, strictly};
+use grazing_input::{Section, SourceError, keys};
 use grazing_model::motion::Motion as _;
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{Mark, MarkKind, SurfaceKind, Vertex};
-use grazing_source::kind::{above, number, numbers, strictly};
-use grazing_source::{Section, SourceError, keys};
 
 use crate::parameters::limits::{
     EPSILON, FREQUENCIES, FREQUENCY, MOST_AMPLITUDE, ZETA, damping_ratio, restitution,

@@ -8,7 +8,7 @@ use core::time::Duration;
 use std::thread;
 
 use grazing_analysis::unfolded::Unfolded;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Progress;

@@ -41,13 +41,12 @@ pub enum Seen {
 }
 
 /// The crates whose tests are run, in this order, after those of the crate that contains the error.
-const OBSERVERS: [&str; 15] = [
+const OBSERVERS: [&str; 14] = [
     "claims",
     "theorems",
     "model",
     "continuation",
-    "source",
-    "description",
+    "input",
     "results",
     "unfold",
     "analysis",

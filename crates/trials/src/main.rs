@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use grazing_continuation::curve::Window;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_trials::nonlinear::{self, Disagreement};
 use grazing_trials::random::Random;
 use grazing_trials::{damped, errors, lines, oscillators, parts, regions};

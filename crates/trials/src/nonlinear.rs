@@ -2,7 +2,7 @@
 
 use grazing_analysis::unfolded::prepared;
 use grazing_continuation::mps::{PeriodicSolution, Unknowns, unknown};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_unfold::simulation::Suspect;

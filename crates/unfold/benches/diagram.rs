@@ -6,7 +6,7 @@ use std::path::Path;
 
 use divan::Bencher;
 use grazing_continuation::curve::Window;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_unfold::{Diagram, Scope, progress::Silent};
 use rayon::ThreadPoolBuilder;
 

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use grazing_continuation::curve::Window;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::{Purpose, Stop};
 use grazing_unfold::{Diagram, Scope};
 

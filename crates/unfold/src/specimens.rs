@@ -1,6 +1,6 @@
 //! Oscillators to test with.
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::{AnyOscillator, LinearOscillator};
 
 /// The linear oscillator with damping ratio ζ, ε = 0.9 and (𝒜, ω).

@@ -399,7 +399,7 @@ fn in_sight(points: &[CurvePoint], _: &Unknowns) -> Option<f64> {
 mod tests {
     use grazing_continuation::curve::Window;
     use grazing_continuation::mps::{Formulation, LoopEquations, Multipliers, PeriodicSolution};
-    use grazing_description::Description;
+    use grazing_input::Description;
     use grazing_model::AnyOscillator;
     use grazing_model::motion::Maximum;
 

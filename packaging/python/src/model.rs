@@ -8,9 +8,9 @@ use grazing_cli::library::{self, Report, Task};
 use grazing_cli::variation::Variation;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_explore::{Model as Described, View, Wanted};
+use grazing_input::Setting;
 use grazing_results::kinds::{CurveLook, region_inks};
 use grazing_results::plane::RegionKind;
-use grazing_source::Setting;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 
@@ -72,7 +72,7 @@ impl Model {
     fn checked(&self, py: Python<'_>) -> PyResult<(String, [(String, Both); 2])> {
         let Self { model, file } = self;
         let (description, listing) = compute(py, None, |report| Task { model, file, report }.checked())?;
-        let axis = |axis: &grazing_description::Axis| (axis.name().to_owned(), axis.range());
+        let axis = |axis: &grazing_input::Axis| (axis.name().to_owned(), axis.range());
         Ok((listing, [description.primary(), description.secondary()].map(axis)))
     }
 
@@ -124,7 +124,7 @@ pub(crate) fn outputs() -> Vec<(&'static str, String)> {
 /// The text of a file.
 #[pyfunction]
 pub(crate) fn read(path: PathBuf) -> PyResult<String> {
-    grazing_source::read_file(&path).map_err(|error| PyOSError::new_err(error.to_string()))
+    grazing_input::read_file(&path).map_err(|error| PyOSError::new_err(error.to_string()))
 }
 
 /// Meaning, colour, width in points and dashes of a kind of curve, by its name.

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_results::family::{Family, Panel, Resonance, Shows};
 use grazing_results::{Frame, span};
 

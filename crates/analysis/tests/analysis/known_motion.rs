@@ -6,7 +6,7 @@ use core::f64::consts::{PI, TAU};
 use grazing_analysis::one_parameter::SAMPLING;
 use grazing_analysis::unfolded::{Prepared, Unfolded, axes};
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::smooth::Stop;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};

@@ -1,7 +1,7 @@
 //! Reasons why there is nothing to unfold, in words.
 
 use grazing_analysis::nothing::Nothing;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_unfold::UnfoldError;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use grazing_analysis::place::simulated;
 use grazing_analysis::unfolded::{Prepared, axes};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_unfold::long_time::MotionKind;

@@ -1,7 +1,7 @@
 //! The plane of oscillators between two walls, against simulation and solutions found at places.
 
 use grazing_analysis::unfolded::Unfolded;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_unfold::Diagram;

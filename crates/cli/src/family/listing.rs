@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use grazing_analysis::family::{Plan, Varied};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_results::family::{Family, Member, Resonance};
 use grazing_results::{Names, brief, with_unit};
 

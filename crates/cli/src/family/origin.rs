@@ -3,9 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use grazing_analysis::family::{Plan, Record};
-use grazing_description::Description;
+use grazing_input::{Description, Setting, Text};
 use grazing_model::smooth::Stop;
-use grazing_source::{Setting, Text};
 use serde::{Deserialize, Serialize};
 
 use super::plan;

@@ -5,7 +5,7 @@ use std::ffi::{OsStr, OsString};
 use std::io;
 use std::path::Path;
 
-use grazing_source::what_is;
+use grazing_input::what_is;
 
 use crate::failure::Failure;
 

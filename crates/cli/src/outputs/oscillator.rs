@@ -4,11 +4,11 @@ use std::error::Error;
 use std::path::Path;
 
 use grazing_analysis::unfolded::{AlongGrazing, AtResonances, Unfolded};
-use grazing_description::{FigureStyle, Named as Legend};
 use grazing_drawing::{
     DrawingError, Heading, Look, Sheet, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
 };
+use grazing_input::{FigureStyle, Named as Legend};
 use grazing_results::Title;
 use grazing_results::branches::{OneParameter, Orbits, Readings};
 use grazing_results::measured::Comparison;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use grazing_claims::source::Sources;
-use grazing_source::read_file;
+use grazing_input::read_file;
 
 use crate::folder::with_slashes;
 

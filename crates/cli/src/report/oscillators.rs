@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use grazing_description::Limits;
 use grazing_drawing::SheetWidth;
+use grazing_input::Limits;
 use grazing_report::OscillatorEntry;
 use grazing_unfold::progress::Progress;
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use grazing_analysis::nothing::place;
 use grazing_analysis::unfolded::AtResonance;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Purpose;
 use grazing_results::brief;
 use grazing_theorems::{ResonantPoint, Unfolding};

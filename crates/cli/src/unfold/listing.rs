@@ -12,7 +12,7 @@ use grazing_analysis::sequences::walls;
 use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
-use grazing_description::{Axis, Description};
+use grazing_input::{Axis, Description};
 use grazing_results::{Stability, brief, span, with_unit};
 use grazing_unfold::Diagram;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};

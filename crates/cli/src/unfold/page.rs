@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use grazing_analysis::plane::counts;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_report::{FileDigest, Manifest, OscillatorEntry, Report};
 use grazing_unfold::Diagram;
 use grazing_unfold::regions::Region;

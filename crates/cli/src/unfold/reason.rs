@@ -1,7 +1,7 @@
 //! What is missing in a diagram, and why, with the parameters' own names.
 
 use grazing_analysis::nothing::place;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
 use grazing_unfold::regions::Region;

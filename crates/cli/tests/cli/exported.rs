@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::program::{empty_folder, grazing, repository};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::SmoothOscillator;
 
 /// The values of the Fortran formulas at some states, velocities and phases; none without a compiler.

@@ -10,7 +10,7 @@ use crate::program::{folder_with, grazing, listing, narrow_duffing, read, reposi
 #[cfg(unix)]
 use crate::program::{interruptible, watched};
 use crate::unfold::results;
-use grazing_description::Description;
+use grazing_input::Description;
 
 /// One-parameter diagrams that take so long that a run is interrupted before their end, however
 /// late the signal arrives.

@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::program::{empty_folder, grazing, listing};
 use grazing_cli::examples::{Kind, kinds};
-use grazing_description::{Description, Side};
+use grazing_input::{Description, Side};
 
 fn kind(name: &str) -> Kind {
     kinds().find(|kind| kind.name == name).expect("there is one")

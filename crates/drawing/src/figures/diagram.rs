@@ -1,7 +1,7 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
 use grazing_continuation::bifurcation::CodimensionTwo;
-use grazing_description::Named;
+use grazing_input::Named;
 use grazing_results::Frame;
 use grazing_results::plane::{PlaneDiagram, RegionKind};
 

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_description::{FigureStyle, Named};
+use grazing_input::{FigureStyle, Named};
 use grazing_results::kinds::{Colour, CurveLook, darker};
 use grazing_results::plane::RegionKind;
 

@@ -2,7 +2,7 @@
 //! which curves that are tangent to each other are separate at any scale.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_description::Named;
+use grazing_input::Named;
 use grazing_results::columns::{FROM_RESONANCE, SCALED_DISTANCE};
 use grazing_results::plane::{
     CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint,

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use grazing_explore::{Export, Model, View, answer};
+use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
-use grazing_source::Mistake;
 use serde_json::{Value, json};
 
 /// The answer to a request to check an oscillator.

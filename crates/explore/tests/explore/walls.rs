@@ -6,9 +6,9 @@ use std::time::Duration;
 
 use grazing_analysis::unfolded::Unfolded;
 use grazing_explore::{Export, Figure, Seen, Wanted, answer};
+use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
 use grazing_results::plane::PlaneDiagram;
-use grazing_source::Mistake;
 use grazing_unfold::progress::Silent;
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! Errors in files of measurements.
 
-use grazing_source::SourceError;
+use grazing_input::SourceError;
 use thiserror::Error;
 
 /// An error in a file of measurements.

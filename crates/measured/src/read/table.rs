@@ -1,6 +1,6 @@
 //! A CSV file whose columns are found by name or number.
 
-use grazing_source::{nearest, shortened, suggestion};
+use grazing_input::{nearest, shortened, suggestion};
 
 use super::cells::{Mistake, Row, Rows, Separator};
 use super::columns::Columns;

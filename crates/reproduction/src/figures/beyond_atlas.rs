@@ -3,8 +3,8 @@
 mod ink;
 
 use grazing_continuation::cascade::Cascade;
+use grazing_input::kind::count;
 use grazing_results::{row, rows, tables};
-use grazing_source::kind::count;
 use grazing_theorems::LimitMap;
 use rayon::prelude::*;
 

@@ -9,10 +9,10 @@ use core::f64::consts::TAU;
 use core::ops::Range;
 
 use grazing_continuation::curve::Window;
+use grazing_input::kind::count;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::plane::PlaneDiagram;
 use grazing_results::{place, row, rows, tables};
-use grazing_source::kind::count;
 use grazing_unfold::long_time::{Horizon, MotionKind, Patience};
 use grazing_unfold::place::{Seen, seen};
 use rayon::prelude::*;

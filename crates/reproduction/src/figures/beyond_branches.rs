@@ -1,10 +1,10 @@
 //! Beyond the paper: the branches on which the long-term behaviour of Figure 2 lies, where it is periodic.
 
 use grazing_drawing::{Heading, draw_one_parameter};
+use grazing_input::kind::{count, value};
 use grazing_results::branches::OneParameter;
 use grazing_results::place::briefly;
 use grazing_results::{Names, span};
-use grazing_source::kind::{count, value};
 use grazing_unfold::one_parameter::{Sampling, Subject};
 
 use super::fig02::Figure2;

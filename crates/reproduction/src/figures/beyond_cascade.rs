@@ -5,10 +5,10 @@ mod ink;
 
 use grazing_continuation::cascade::Cascade;
 use grazing_continuation::mps::unknown;
+use grazing_input::kind::{count, numbers};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use grazing_results::{row, rows, tables};
-use grazing_source::kind::{count, numbers};
 use grazing_theorems::limit_map::LimitImpact;
 use grazing_theorems::{LimitMap, ResonantPoint, Side};
 use grazing_unfold::resonances::Resonance;

@@ -8,9 +8,9 @@ mod ink;
 
 use grazing_continuation::resonance::LeavingCurve;
 use grazing_continuation::resonance::LocatedResonance;
+use grazing_input::kind::{counts, numbers};
 use grazing_model::AnyOscillator;
 use grazing_results::{rows, tables};
-use grazing_source::kind::{counts, numbers};
 use grazing_theorems::iterated::{IteratedResonance, last_visit_margin};
 use grazing_theorems::{LinearOscillator, Resonance};
 use rayon::prelude::*;

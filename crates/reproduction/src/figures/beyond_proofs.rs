@@ -12,8 +12,8 @@ use grazing_certify::row::{Row, Verdict};
 use grazing_certify::statement::{Decimal, Statement};
 use grazing_certify::summary::{self, ends, sentence, stretches};
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_input::kind::count;
 use grazing_results::{Frame, rows, span, tables, words};
-use grazing_source::kind::count;
 
 use super::fig07::Figure7;
 use crate::figure::prelude::*;

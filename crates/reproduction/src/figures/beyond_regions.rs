@@ -2,8 +2,8 @@
 
 mod ink;
 
+use grazing_input::kind::counts;
 use grazing_results::{rows, tables};
-use grazing_source::kind::counts;
 use grazing_theorems::admissibility_region::{AdmissibilityRegion, rotation};
 use rayon::prelude::*;
 

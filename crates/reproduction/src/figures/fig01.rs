@@ -5,11 +5,11 @@ use core::f64::consts::TAU;
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, RESET_COLOUR, SMALL_LABEL_SIZE, TITLE_SIZE};
 use grazing_drawing::plot::scene::{NamedPart, SpaceSheet};
+use grazing_input::kind::{derived, number, strictly, table, tables};
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
-use grazing_source::kind::{derived, number, strictly, table, tables};
 
 use crate::figure::prelude::*;
 use crate::parameters::contains;

@@ -8,10 +8,10 @@ use core::f64::consts::TAU;
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, RETURN_COLOUR, SMALL_LABEL_SIZE, TITLE_SIZE};
 use grazing_drawing::plot::scene::{NamedPart, SpaceSheet};
+use grazing_input::kind::{above, number, numbers, table};
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
 use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
-use grazing_source::kind::{above, number, numbers, table};
 
 use crate::figure::prelude::*;
 use crate::parameters::limits::{

@@ -3,8 +3,8 @@
 
 mod ink;
 
+use grazing_input::kind::counts;
 use grazing_results::{rows, tables, words};
-use grazing_source::kind::counts;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::resonance_boundary;
 

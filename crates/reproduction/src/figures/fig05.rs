@@ -20,9 +20,9 @@
 mod ink;
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_input::kind::count;
 use grazing_results::plane::RegionKind;
 use grazing_results::{Frame, rows, tables};
-use grazing_source::kind::count;
 use grazing_theorems::ResonantGrazing;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 

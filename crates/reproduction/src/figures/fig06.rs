@@ -9,8 +9,8 @@ mod shapes;
 
 use core::f64::consts::TAU;
 
+use grazing_input::kind::{count, number};
 use grazing_results::{rows, tables, words};
-use grazing_source::kind::{count, number};
 
 use crate::figure::prelude::*;
 use crate::parameters::limits::{FREQUENCIES, FREQUENCY, grazing};

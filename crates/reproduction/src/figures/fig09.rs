@@ -5,11 +5,11 @@ use core::f64::consts::TAU;
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::style::{BLACK, RESET_COLOUR, RETURN_COLOUR, SMALL_LABEL_SIZE, TITLE_SIZE};
 use grazing_drawing::plot::scene::{NamedPart, SpaceSheet};
+use grazing_input::kind::{count, derived, numbers, table};
 use grazing_model::maps::{MapError, global_map, virtual_map};
 use grazing_model::motion::Motion;
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
-use grazing_source::kind::{count, derived, numbers, table};
 
 use crate::figure::prelude::*;
 use crate::parameters::contains;

@@ -2,8 +2,8 @@
 
 mod ink;
 
+use grazing_input::kind::{count, number};
 use grazing_results::{rows, tables};
-use grazing_source::kind::{count, number};
 use grazing_theorems::auxiliary::lucas_sequence;
 use grazing_theorems::{GenericGrazing, LinearOscillator};
 use nalgebra::Vector2;

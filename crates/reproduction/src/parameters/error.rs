@@ -1,6 +1,6 @@
 //! Errors in a section of the parameter file.
 
-use grazing_source::SourceError;
+use grazing_input::SourceError;
 use thiserror::Error;
 
 /// The first error in a section of the parameter file, with a remedy.

@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use grazing_source::kind::{Kind, above, interval, number, strictly};
-use grazing_source::{Section, SourceError};
+use grazing_input::kind::{Kind, above, interval, number, strictly};
+use grazing_input::{Section, SourceError};
 use grazing_theorems::{GrazingState, LinearOscillator};
 
 /// The greatest number of loops: higher ones are unrelated to resonant grazing, and their curves cannot

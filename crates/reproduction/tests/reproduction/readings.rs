@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 use std::sync::LazyLock;
 
 use grazing_analysis::unfolded::Unfolded;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::motion::Motion;
 use grazing_model::smooth::Stop;
 use grazing_model::{ImpactOscillator, OnWall};

@@ -1,7 +1,7 @@
 //! Tests that an oscillator has the same tables in other units, except for the units of their columns.
 
 use grazing_analysis::unfolded::Unfolded;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_results::branches::OneParameter;
 use grazing_results::{Cell, Table, Tables};

@@ -1,6 +1,6 @@
 //! Random oscillators from hardly damped to overdamped ones; `cargo run -p grazing-trials -- damped` unfolds many.
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_trials::damped::{DAMPING, Damped, FREQUENCY, unfold};
 
 #[test]

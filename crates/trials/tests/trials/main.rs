@@ -9,7 +9,7 @@ mod windows;
 
 use std::sync::LazyLock;
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_trials::nonlinear::unfolded;
 use grazing_trials::oscillators;
 use grazing_unfold::Diagram;

@@ -2,7 +2,7 @@
 //! `cargo run -p grazing-trials -- nonlinear` tests the examples and many more, on a finer
 //! lattice.
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_trials::nonlinear::{Disagreement, compare};
 use grazing_trials::oscillators;
 use grazing_unfold::regions::Region;

@@ -11,7 +11,7 @@ use std::io::Write;
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::verdict::{Coefficient, Verdict, coefficients};
 use grazing_unfold::{Diagram, Scope};

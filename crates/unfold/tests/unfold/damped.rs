@@ -2,7 +2,7 @@
 //! with a parameter nowhere but where motion goes.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Stop;
 use grazing_theorems::from_map::GrazingOrbit;

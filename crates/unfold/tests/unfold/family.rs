@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use grazing_continuation::curve::Window;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;

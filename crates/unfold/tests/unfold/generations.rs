@@ -10,7 +10,7 @@ use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_unfold::generations::{LaterResonance, bases, later};

@@ -4,7 +4,7 @@ use std::fs;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use grazing_results::Stability;
 use grazing_results::branches::{BranchPoint, OneParameter, Orbits, PortraitKind, PortraitPoint};

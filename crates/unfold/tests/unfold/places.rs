@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::orbit::{Flight, FlightEnd, Orbit};
 use grazing_model::rest::release;
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};

@@ -2,7 +2,7 @@
 //! quadratic equation.
 
 use grazing_continuation::mps::unknown;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_results::plane::RegionKind;

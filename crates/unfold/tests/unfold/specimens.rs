@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use grazing_continuation::curve::Window;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::{Stop, Units};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator};
 use grazing_theorems::GrazingState;

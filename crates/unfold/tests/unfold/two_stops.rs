@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use grazing_unfold::long_time::{Horizon, LongOrbit};

@@ -2,7 +2,7 @@
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, Measurement};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::{Stop, Units};
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;

@@ -5,7 +5,7 @@ use std::mem::discriminant;
 use grazing_analysis::nothing::place;
 use grazing_analysis::sequences::walls;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;

@@ -1,6 +1,6 @@
 //! One-parameter diagrams as lines on the terminal.
 
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_results::branches::{OneParameter, Orbits};
 use grazing_results::place::briefly;
 use grazing_results::{Names, with_unit};

@@ -1,7 +1,7 @@
 //! Listings on terminals of different widths.
 
 use grazing_analysis::unfolded::Unfolded;
-use grazing_description::Description;
+use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_unfold::progress::Silent;
 

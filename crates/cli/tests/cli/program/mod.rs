@@ -11,9 +11,9 @@ use grazing_cli::folder::{self, OutputFile};
 use grazing_cli::outputs::edition::{Edition, Format, TextForm};
 use grazing_cli::reproduce;
 use grazing_drawing::SheetWidth;
+use grazing_input::Text;
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
-use grazing_source::Text;
 use insta::Settings;
 use sha2::{Digest, Sha256};
 

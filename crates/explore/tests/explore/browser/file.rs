@@ -1,6 +1,6 @@
 //! Editing the oscillator's file in the page.
 
-use grazing_description::Description;
+use grazing_input::Description;
 
 use super::chromium::{Browser, CONTROL};
 use super::{DESK, PHONE, Running, WHOLE, choose_duffing, plane_key, state};

@@ -18,8 +18,8 @@ use std::time::Duration;
 use self::running::{LIMITS, Running, events};
 use grazing_analysis::plane;
 use grazing_analysis::unfolded;
-use grazing_description::Description;
 use grazing_explore::Limits;
+use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
@@ -243,7 +243,7 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     let settings = ["parameters.kappa=0.11", "primary.range=[0.2, 0.4]", "secondary.range=[0.95, 1.0]"];
     let settings: Vec<_> = settings.iter().map(|setting| setting.parse().unwrap()).collect();
     let text = text.split("[[diagrams]]").next().unwrap();
-    let text = grazing_source::Text::new(text, &settings);
+    let text = grazing_input::Text::new(text, &settings);
     let description =
         Description::parse_with(&text, "test", &Stop::default()).unwrap().with_loops(&[3]).unwrap();
     let axes = unfolded::axes(&description);

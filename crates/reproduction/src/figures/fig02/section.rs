@@ -1,8 +1,8 @@
 //! `[fig02]`: the one-parameter diagram of Figure 2 and its phase portraits.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_source::SourceError;
-use grazing_source::kind::{count, counts, derived, maybe, number, table, tables, unwritten, value};
+use grazing_input::SourceError;
+use grazing_input::kind::{count, counts, derived, maybe, number, table, tables, unwritten, value};
 use grazing_unfold::one_parameter::Sampling;
 
 use crate::figure::prelude::*;

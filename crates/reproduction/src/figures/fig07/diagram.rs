@@ -3,8 +3,8 @@
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonanceError;
+use grazing_input::kind::{counts, interval};
 use grazing_model::AnyOscillator;
-use grazing_source::kind::{counts, interval};
 use grazing_theorems::{LinearOscillator, Resonance, TheoryError};
 use grazing_unfold::{Diagram, Scope};
 

@@ -1,6 +1,6 @@
 //! `[fig08]`: the resonances about which Figure 8 magnifies Figure 7.
 
-use grazing_source::kind::{count, maybe, table, tables, unwritten};
+use grazing_input::kind::{count, maybe, table, tables, unwritten};
 use grazing_theorems::{LinearOscillator, Resonance};
 
 use crate::figure::prelude::*;

@@ -1,10 +1,10 @@
 //! The file itself: its keys, its syntax, and settings that replace values.
 
+use grazing_input::{Setting, SourceError};
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::figures::fig08::Figure8;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_source::{Setting, SourceError};
 
 use super::{DEFAULT, edited, errors, line_of, parse, set};
 

@@ -4,9 +4,9 @@ mod file;
 mod together;
 mod values;
 
+use grazing_input::{Setting, SourceError, Text};
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 use grazing_reproduction::{PaperFigure, paper_figures};
-use grazing_source::{Setting, SourceError, Text};
 
 const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
 

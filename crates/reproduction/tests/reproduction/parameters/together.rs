@@ -1,12 +1,12 @@
 //! Tests of values that must be consistent with others in the file.
 
+use grazing_input::Text;
 use grazing_reproduction::figures::fig01::Figure1;
 use grazing_reproduction::figures::fig02::{Figure2, frequency};
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::figures::fig08::Figure8;
 use grazing_reproduction::figures::fig10::Figure10;
 use grazing_reproduction::parameters::{ParameterError, Parameters, contains, encloses, strictly_contains};
-use grazing_source::Text;
 
 use super::{DEFAULT, edited, errors, refusal, refused, set};
 

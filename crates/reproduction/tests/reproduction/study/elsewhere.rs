@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_input::{Setting, Text};
 use grazing_reproduction::Study;
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::Parameters;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::plane::CurveSource;
-use grazing_source::{Setting, Text};
 use grazing_trials::closed_form::orbits;
 
 use super::made;

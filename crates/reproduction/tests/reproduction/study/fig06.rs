@@ -6,10 +6,10 @@ use core::f64::consts::TAU;
 use grazing_drawing::ink::style::Paint;
 use grazing_drawing::ink::svg::fill;
 use grazing_drawing::{Element, SheetWidth};
+use grazing_input::Text;
 use grazing_reproduction::figures::fig06::{Figure6, PartPoint};
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::{PaperFigure, Study};
-use grazing_source::Text;
 
 use super::{made, numbers, words};
 

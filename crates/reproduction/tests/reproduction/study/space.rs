@@ -7,6 +7,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use grazing_input::Text;
 use grazing_model::LinearOscillator;
 use grazing_reproduction::Study;
 use grazing_reproduction::figures::fig01::Figure1;
@@ -14,7 +15,6 @@ use grazing_reproduction::figures::fig03::Figure3;
 use grazing_reproduction::figures::fig09::Figure9;
 use grazing_reproduction::parameters::Parameters;
 use grazing_results::Row;
-use grazing_source::Text;
 
 use super::{integers, numbers, words};
 

@@ -1,3 +1,0 @@
-//! Tests of the words in messages.
-
-mod words;
