@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use grazing_claims::ledger::ClaimKind;
@@ -28,8 +28,8 @@ macro_rules! help {
 }
 
 help! {
-    "reproduce" "compare" "claims" "certify" "report" "unfold" "attractors" "explore" "identify" "merge" "new" "export"
-    "archive" "completions" "manual"
+    "reproduce" "compare" "claims" "certify" "report" "unfold" "attractors" "explore" "identify" "merge" "new" "schema"
+    "export" "archive" "completions" "manual"
 }
 
 const EXIT_CODES: &str = include_str!("../help/exit_codes.txt");
@@ -78,6 +78,8 @@ pub enum Command {
     Merge(Merge),
     /// Write the description of an oscillator, to be edited
     New(New),
+    /// Print the JSON schema of an oscillator file, for editors
+    Schema(Schema),
     /// Write a problem for AUTO-07p that starts at a periodic solution
     Export(Export),
     /// Pack results and their sources for an archive
@@ -398,6 +400,24 @@ pub struct New {
     /// One of three simple oscillators, or an example
     #[arg(long, value_name = "KIND", default_value = "plain", value_parser = PossibleValuesParser::new(kinds()))]
     pub kind: String,
+}
+
+/// The arguments of `grazing schema`.
+#[derive(Debug, Args)]
+pub struct Schema {
+    /// The files to describe
+    #[arg(long, value_name = "FILES", value_enum, default_value_t)]
+    pub of: Written,
+}
+
+/// A kind of file that people write.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum Written {
+    /// An oscillator, as for `unfold`
+    #[default]
+    Oscillator,
+    /// The parameters of the figures, as for `reproduce`
+    Parameters,
 }
 
 /// The arguments of `grazing export`.

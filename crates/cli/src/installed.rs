@@ -1,11 +1,13 @@
-//! Files that accompany an installed program: completions for shells, and manual pages.
+//! Files that accompany an installed program: completions for shells, schemas for editors, and manual pages.
 
 use std::path::PathBuf;
 
 use clap::Command;
 use clap_mangen::Man;
+use grazing_input::Description;
+use grazing_reproduction::parameters::Parameters;
 
-use crate::arguments::{Completions, Manual, command_line};
+use crate::arguments::{Completions, Manual, Schema, Written, command_line};
 use crate::commands::INSTALLED;
 use crate::failure::Failure;
 use crate::folder::OutputFile;
@@ -17,6 +19,15 @@ pub(crate) fn completions(arguments: &Completions) {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut command_line(INSTALLED), INSTALLED, &mut script);
     terminal::say_coloured(&String::from_utf8_lossy(&script));
+}
+
+/// Prints the JSON schema of a kind of file.
+pub(crate) fn schema(arguments: &Schema) {
+    let schema = match arguments.of {
+        Written::Oscillator => Description::requirements().schema("An impact oscillator"),
+        Written::Parameters => Parameters::requirements().schema("Parameters of the figures of the paper"),
+    };
+    terminal::say_coloured(&format!("{:#}\n", serde_json::json!(schema)));
 }
 
 /// Renders the manual pages, `grazing.1` and `grazing-COMMAND.1`.

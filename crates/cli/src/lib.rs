@@ -70,6 +70,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             runner::run(|| attractors::merge(arguments), None)
         }
         Command::Merge(arguments) => runner::run(|| family::merge(arguments), None),
+        Command::Schema(arguments) => {
+            installed::schema(arguments);
+            Ok(())
+        }
         Command::Export(arguments) => runner::run(|| exported::read(arguments), None),
         Command::New(arguments) => new::run(arguments),
         Command::Archive(arguments) => archive::run(arguments),

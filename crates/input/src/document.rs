@@ -17,7 +17,7 @@ mod words;
 
 pub use error::{Mistake, Place, SourceError};
 pub use file::{read_bytes, read_file, read_foreign, what_is};
-pub use keys::{Key, Requirements};
+pub use keys::{Key, Requirements, Schema};
 pub use kind::Keys;
 pub use section::Section;
 pub use setting::{Setting, SettingError};

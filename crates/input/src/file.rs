@@ -7,7 +7,8 @@ use grazing_results::kinds::Colour;
 use grazing_results::readings::Ordinate;
 
 use crate::document::kind::{
-    Kind, any_names, choice, count, counts, maybe, number, numbers, or, table, tables, usual, value,
+    Kind, any_names, choice, choices, count, counts, list, maybe, number, numbers, or, positive, table,
+    tables, usual, value,
 };
 use crate::document::{Keys, Requirements, Section, SourceError};
 use crate::keys;
@@ -71,7 +72,7 @@ keys! {
         analysis: Analysis = table(),
             "the table [analysis] holds loops and may hold generations, start, time_limit, memory_limit and step_limit";
         /// How the two-parameter diagram and its magnifications are drawn.
-        figure: FigureStyle = or(table(), usual()),
+        figure: FigureStyle = or(table(), toml::Table::new()),
             "the table [figure] may hold swap, shading, names, width, height and colours, and may be left out";
         /// Own curves in the two-parameter diagram.
         curves: Vec<WrittenCurve> = tables(0..=MOST_CURVES),
@@ -125,7 +126,7 @@ keys! {
         position: String = value(),
             "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
         /// The side on which the motion is.
-        side: Side = or(choice(&[("below", Side::Below), ("above", Side::Above)]), Side::Below),
+        side: Side = or(side(), "below"),
             "the side of the wall on which the motion takes place must be \"below\" (less than its position) or \"above\" (greater), or else there are two tables [[walls]]; if it is left out, it is \"below\"";
     }
 }
@@ -137,7 +138,7 @@ keys! {
         position: String = value(),
             "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
         /// The side on which the motion is.
-        side: Option<Side> = maybe(choice(&[("below", Side::Below), ("above", Side::Above)])),
+        side: Option<Side> = maybe(side()),
             "the side of the wall on which the motion takes place must be \"below\" (less than its position) for one of two walls and \"above\" (greater) for the other; if it is left out, the motion is between their positions";
         /// Its restitution Φ.
         restitution: Option<String> = maybe(value()),
@@ -200,7 +201,7 @@ keys! {
         shading: bool = or(value(), true),
             "shading must be true, for regions of stability in grey, or false; if it is left out, it is true";
         /// What has its name written beside it.
-        names: Vec<Named> = or(value().map(named), Named::ALL.to_vec()),
+        names: Vec<Named> = or(choices(Named::ALL.map(|named| (named.word(), named))), Named::ALL.map(Named::word).to_vec()),
             "names must list what is labelled in the figure, from \"curves\", \"regions\", \"magnifications\" and \"diagrams\", such as [\"curves\"]; if it is left out, all have their names";
         /// The width of the diagram, in millimetres.
         width: Option<f64> = maybe(number(60.0..=400.0)),
@@ -209,7 +210,7 @@ keys! {
         height: Option<f64> = maybe(number(40.0..=400.0)),
             "the height of the diagram must be from 40 to 400, in millimetres; if it is left out, it follows from the width";
         /// The colours of kinds of curves.
-        colours: Vec<(Bifurcation, Colour)> = or(colours(), Vec::new()),
+        colours: Vec<(Bifurcation, Colour)> = or(colours(), toml::Table::new()),
             "the table [figure.colours] holds colours of curves by their kinds, {}, such as SN = \"#1946be\"; it may be left out";
     }
 }
@@ -247,13 +248,13 @@ keys! {
         range: Option<[f64; 2]> = maybe(range()),
             "the range of the other parameter must be [lower, upper] with finite numbers lower < upper inside its range; if it is left out, it is the whole range";
         /// Values of the other parameter at which phase portraits are drawn.
-        portraits: Vec<f64> = or(value().map(portraits), Vec::new()),
+        portraits: Vec<f64> = or(list(MOST_PORTRAITS).map(portraits), Vec::<f64>::new()),
             "the values of the other parameter at which phase portraits are drawn must be a list of at most 6 different numbers inside the range of the diagram, such as [0.5, 0.75]; it may be left out";
         /// The seed of the random initial states.
         seed: u64 = or(value(), 1),
             "the seed of the random initial states must be a whole number that is not negative; if it is left out, it is 1";
         /// What stands on the vertical axis.
-        ordinate: Ordinate = or(ordinate(), Ordinate::X),
+        ordinate: Ordinate = or(ordinate(), Ordinate::X.name()),
             "the ordinate must be {}, of which {} need impact.mass; if it is left out, it is \"x\"";
         /// Motion is followed as the parameter goes up and down.
         sweeps: bool = or(value(), false),
@@ -287,6 +288,16 @@ pub enum Named {
 impl Named {
     /// All kinds of objects.
     pub const ALL: [Self; 4] = [Self::Curves, Self::Regions, Self::Magnifications, Self::Diagrams];
+
+    /// The word for them in a file.
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Curves => "curves",
+            Self::Regions => "regions",
+            Self::Magnifications => "magnifications",
+            Self::Diagrams => "diagrams",
+        }
+    }
 }
 
 /// One of the two parameters with its range.
@@ -383,10 +394,6 @@ fn curve_name(name: &str) -> bool {
     !name.trim().is_empty() && name.chars().count() <= LONGEST_NAME && name.chars().all(shown)
 }
 
-fn positive() -> Kind<f64> {
-    number(0.0..).such(|number| *number > 0.0)
-}
-
 fn axis() -> Kind<Axis> {
     table().map(|WrittenAxis { name, range, unit }, _, _| Ok(Axis { name, range, unit }))
 }
@@ -416,20 +423,12 @@ fn range() -> Kind<[f64; 2]> {
 fn portraits(mut values: Vec<f64>, section: &Section<'_>, name: &str) -> Result<Vec<f64>, SourceError> {
     values.sort_by(f64::total_cmp);
     let twice = values.windows(2).any(|pair| pair[0] == pair[1]);
-    let right = values.len() <= MOST_PORTRAITS && !twice && values.iter().all(|value| value.is_finite());
-    if right { Ok(values) } else { Err(section.refusal(name)) }
+    if twice { Err(section.refusal(name)) } else { Ok(values) }
 }
 
-/// The kinds of objects whose names are written in a figure, from their words.
-fn named(words: Vec<String>, section: &Section<'_>, key: &str) -> Result<Vec<Named>, SourceError> {
-    let word = |named: Named| match named {
-        Named::Curves => "curves",
-        Named::Regions => "regions",
-        Named::Magnifications => "magnifications",
-        Named::Diagrams => "diagrams",
-    };
-    let meant = |written: &String| Named::ALL.into_iter().find(|named| word(*named) == written);
-    words.iter().map(meant).collect::<Option<_>>().ok_or_else(|| section.refusal(key))
+/// A side of the wall.
+fn side() -> Kind<Side> {
+    choice([Side::Below, Side::Above].map(|side| (side.name(), side)))
 }
 
 /// Words in quotation marks, as a list with this word before the last.
@@ -443,10 +442,7 @@ fn listed(words: impl Iterator<Item = &'static str>, last: &str) -> String {
 fn ordinate() -> Kind<Ordinate> {
     let names =
         |which: fn(&Ordinate) -> bool| Ordinate::ALL.iter().copied().filter(which).map(Ordinate::name);
-    let named = value().map(|written: String, section, key| {
-        let meant = Ordinate::ALL.iter().find(|ordinate| ordinate.name() == written);
-        meant.copied().ok_or_else(|| section.refusal(key))
-    });
+    let named = choice(Ordinate::ALL.iter().map(|ordinate| (ordinate.name(), *ordinate)));
     named.saying([listed(names(|_| true), "or"), listed(names(|ordinate| ordinate.needs_mass()), "and")])
 }
 
@@ -458,7 +454,10 @@ fn colours() -> Kind<Vec<(Bifurcation, Colour)>> {
     );
     let colours = any_names(value().map(colour), requirement);
     let kind = |(_, coloured): (String, (Bifurcation, Colour))| coloured;
-    colours.map(move |all, _, _| Ok(all.into_iter().map(kind).collect())).saying([kinds.to_owned()])
+    let colours =
+        colours.map(move |all, _, _| Ok(all.into_iter().map(kind).collect())).saying([kinds.to_owned()]);
+    let names = Bifurcation::ALL.map(Bifurcation::name).to_vec();
+    colours.with("propertyNames", toml::Table::from_iter([("enum".to_owned(), names.into())]))
 }
 
 /// A colour as `#1946be`, red, green and blue by two hexadecimal digits each, for the kind of curve that is the key.

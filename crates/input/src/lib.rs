@@ -58,8 +58,8 @@ mod validate;
 
 pub use description::{Description, Expressions, OneParameter, OwnCurve, Property, Wall};
 pub use document::{
-    Key, Keys, Mistake, Place, Requirements, Section, Setting, SettingError, Source, SourceError, Text, kind,
-    nearest, read_bytes, read_file, read_foreign, shortened, suggestion, what_is,
+    Key, Keys, Mistake, Place, Requirements, Schema, Section, Setting, SettingError, Source, SourceError,
+    Text, kind, nearest, read_bytes, read_file, read_foreign, shortened, suggestion, what_is,
 };
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};

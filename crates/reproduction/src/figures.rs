@@ -61,6 +61,11 @@ macro_rules! paper_figures {
 static REQUIREMENTS: LazyLock<Requirements> = LazyLock::new(|| requirements(paper_figures!(declaration)));
 
 impl Parameters {
+    /// The keys that a parameter file can have, with their meanings and requirements.
+    pub fn requirements() -> &'static Requirements {
+        &REQUIREMENTS
+    }
+
     /// Reads a parameter file, with settings that replace values in it; its path appears in messages as
     /// given here.
     ///

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::program::{INVENTED, edited, empty_folder, grazing, listing, project, repository, snapshots};
 
 /// Edits of valid parameters: a section, a key after it, and the line that replaces the key's line.
-const EDITS: &[(&str, &str, &str)] = &[
+pub(crate) const EDITS: &[(&str, &str, &str)] = &[
     ("[oscillator]", "zeta", "zetta = 0.1"),
     ("[oscillator]", "zeta", ""),
     ("[oscillator]", "zeta", "zeta = \"small\""),

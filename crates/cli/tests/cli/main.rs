@@ -30,6 +30,7 @@ mod places;
 mod readme;
 mod report;
 mod reproduce;
+mod schema;
 mod scripts;
 mod signals;
 mod snapshots;

@@ -1,5 +1,20 @@
 //! The keys of a kind of file.
 
+use toml::{Table, Value};
+
+/// A JSON schema: its keywords, with what they say.
+pub type Schema = Table;
+
+/// A schema with these keywords.
+pub(super) fn schema<const N: usize>(keywords: [(&str, Value); N]) -> Schema {
+    keywords.into_iter().map(|(keyword, says)| (keyword.to_owned(), says)).collect()
+}
+
+/// The schema of a table.
+pub(super) fn object() -> Schema {
+    schema([("type", "object".into())])
+}
+
 /// A declared key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Key {
@@ -10,6 +25,10 @@ pub struct Key {
     pub requirement: String,
     /// The meaning of the key.
     pub meaning: String,
+    /// What a JSON schema says of the value; if it is a table, what stands in it is not repeated.
+    pub schema: Schema,
+    /// Whether the key must be there.
+    pub required: bool,
 }
 
 /// The keys of a kind of file, with their requirements.
@@ -36,7 +55,7 @@ impl Requirements {
     #[must_use]
     pub fn with_table(mut self, name: &str, requirement: &str, list: impl Fn(&str, &mut Vec<Key>)) -> Self {
         let (path, requirement) = (name.to_owned(), requirement.to_owned());
-        self.keys.push(Key { path, requirement, meaning: String::new() });
+        self.keys.push(Key { path, requirement, meaning: String::new(), schema: object(), required: false });
         list(name, &mut self.keys);
         self
     }
@@ -66,12 +85,58 @@ impl Requirements {
     /// The keys that are known in a table, in the order of the declaration; the top level is the
     /// table with the empty name. If any name may stand in a table, `*` is its only key.
     pub fn known_keys(&self, table: &str) -> Vec<&str> {
+        self.members(table).map(|(name, _)| name).collect()
+    }
+
+    /// The keys in a table, with their names in it.
+    fn members(&self, table: &str) -> impl Iterator<Item = (&str, &Key)> {
         let plain = without_numbers(table);
-        let name = |key: &'_ Key| match key.path.rsplit_once('.') {
-            Some((parent, name)) => (parent == plain).then_some(name.len()),
-            None => plain.is_empty().then_some(key.path.len()),
+        self.keys.iter().filter_map(move |key| {
+            let (parent, name) = key.path.rsplit_once('.').unwrap_or(("", &key.path));
+            (parent == plain).then_some((name, key))
+        })
+    }
+
+    /// A JSON schema (draft 7) of files with these keys, by which editors complete them and mark mistakes. What depends on
+    /// several keys, or on the meaning of a text, a schema does not say.
+    pub fn schema(&self, title: &str) -> Schema {
+        let head = [("$schema", "http://json-schema.org/draft-07/schema#".into()), ("title", title.into())];
+        schema(head).into_iter().chain(self.table_schema("")).collect()
+    }
+
+    /// The schema of a table.
+    fn table_schema(&self, table: &str) -> Schema {
+        let members =
+            || self.members(table).map(|(name, key)| (name.to_owned(), self.value_schema(key).into()));
+        if self.any_key(table) {
+            let any = members().map(|(_, any)| ("additionalProperties".to_owned(), any));
+            return object().into_iter().chain(any).collect();
+        }
+        let required = self.members(table).filter(|(_, key)| key.required).map(|(name, _)| name);
+        schema([
+            ("type", "object".into()),
+            ("properties", members().collect::<Schema>().into()),
+            ("required", required.collect::<Vec<_>>().into()),
+            ("additionalProperties", false.into()),
+        ])
+    }
+
+    /// The schema of the value of a key.
+    fn value_schema(&self, key: &Key) -> Schema {
+        let mut letters = key.requirement.chars();
+        let requirement =
+            letters.next().map(|first| format!("{}{}.", first.to_uppercase(), letters.as_str()));
+        let meaning = Some(key.meaning.clone()).filter(|meaning| !meaning.is_empty());
+        let said: Vec<String> = meaning.into_iter().chain(requirement).collect();
+        let said = schema([("description", said.join("\n\n").into())]);
+        let inside = match (self.known_keys(&key.path).is_empty(), &key.schema["type"]) {
+            (true, _) => Schema::new(),
+            (false, Value::String(array)) if array == "array" => {
+                schema([("items", self.table_schema(&key.path).into())])
+            }
+            (false, _) => self.table_schema(&key.path),
         };
-        self.keys.iter().filter_map(|key| Some(&key.path[key.path.len() - name(key)?..])).collect()
+        key.schema.clone().into_iter().chain(said).chain(inside).collect()
     }
 
     /// Whether any name may stand in the table.

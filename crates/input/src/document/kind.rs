@@ -1,13 +1,13 @@
-//! Keys are declared once, each with the kind of its value: how it is read, and its requirement.
+//! Keys are declared once, each with the kind of its value: how it is read, its requirement, and its part of a JSON schema.
 
 use std::fmt::Display;
 use std::ops::{Bound, RangeBounds, RangeInclusive};
 
 use serde::de::DeserializeOwned;
-use toml::Spanned;
+use toml::{Spanned, Value};
 
 use super::error::SourceError;
-use super::keys::{Key, Requirements};
+use super::keys::{Key, Requirements, Schema, object, schema};
 use super::section::Section;
 use super::source::Source;
 use super::text::Text;
@@ -76,23 +76,73 @@ pub struct Kind<V> {
     /// The limits of the value, in the order in which they replace `{}` in the requirement.
     limits: Vec<String>,
     list: Lister,
+    /// What a JSON schema says of the value.
+    schema: Schema,
+    /// Whether the key must be there.
+    required: bool,
+}
+
+/// A type of values, and what a JSON schema says of it.
+pub trait Typed: DeserializeOwned + 'static {
+    /// The keywords of the schema.
+    fn schema() -> Schema;
+}
+
+macro_rules! typed {
+    ($($type:ty: $($keyword:literal = $says:expr),+;)+) => {$(
+        impl Typed for $type {
+            fn schema() -> Schema {
+                schema([$(($keyword, Value::from($says))),+])
+            }
+        }
+    )+};
+}
+
+typed! {
+    bool: "type" = "boolean";
+    f64: "type" = "number";
+    u32: "type" = "integer", "minimum" = 0;
+    u64: "type" = "integer", "minimum" = 0;
+    String: "type" = "string";
+    Vec<f64>: "type" = "array", "items" = f64::schema();
+    Vec<String>: "type" = "array", "items" = String::schema();
 }
 
 type Reader<V> = Box<dyn Fn(&Section<'_>, &str) -> Result<V, SourceError>>;
 type Lister = Box<dyn Fn(Key, &mut Vec<Key>)>;
 
 impl<V: 'static> Kind<V> {
-    fn new(read: impl Fn(&Section<'_>, &str) -> Result<V, SourceError> + 'static) -> Self {
-        Self { read: Box::new(read), limits: Vec::new(), list: Box::new(|key, keys| keys.push(key)) }
+    fn new(schema: Schema, read: impl Fn(&Section<'_>, &str) -> Result<V, SourceError> + 'static) -> Self {
+        let list = Box::new(|key, keys: &mut Vec<Key>| keys.push(key));
+        Self { read: Box::new(read), limits: Vec::new(), list, schema, required: true }
     }
 
-    fn within<T: Display>(self, range: &impl RangeBounds<T>) -> Self {
-        let end = |bound| match bound {
-            Bound::Included(end) | Bound::Excluded(end) => Some(T::to_string(end)),
+    /// Tells the range of the number, or of those in the list.
+    fn within<T: Display + Clone + Into<Value>>(mut self, range: &impl RangeBounds<T>) -> Self {
+        let ends = [
+            (range.start_bound(), ["minimum", "exclusiveMinimum"]),
+            (range.end_bound(), ["maximum", "exclusiveMaximum"]),
+        ];
+        let limits = ends.into_iter().filter_map(|(bound, [included, excluded])| match bound {
+            Bound::Included(end) => Some((included.to_owned(), end)),
+            Bound::Excluded(end) => Some((excluded.to_owned(), end)),
             Bound::Unbounded => None,
+        });
+        let limits: Vec<(String, &T)> = limits.collect();
+        let numbers = match self.schema.get_mut("items") {
+            Some(Value::Table(items)) => items,
+            _ => &mut self.schema,
         };
-        let limits = [range.start_bound(), range.end_bound()].into_iter().filter_map(end).collect();
-        Self { limits, ..self }
+        numbers.extend(limits.iter().map(|(keyword, end)| (keyword.clone(), T::clone(end).into())));
+        self.limits = limits.into_iter().map(|(_, end)| end.to_string()).collect();
+        self
+    }
+
+    /// Says more of the value in the schema.
+    #[must_use]
+    pub fn with(mut self, keyword: &str, says: impl Into<Value>) -> Self {
+        self.schema.insert(keyword.to_owned(), says.into());
+        self
     }
 
     fn listed(self, list: impl Fn(Key, &mut Vec<Key>) + 'static) -> Self {
@@ -113,8 +163,10 @@ impl<V: 'static> Kind<V> {
         self,
         make: impl Fn(V, &Section<'_>, &str) -> Result<U, SourceError> + 'static,
     ) -> Kind<U> {
-        let Self { read, limits, list } = self;
-        Kind { read: Box::new(move |section, name| make(read(section, name)?, section, name)), limits, list }
+        let Self { read, limits, list, schema, required } = self;
+        let read =
+            Box::new(move |section: &Section<'_>, name: &str| make(read(section, name)?, section, name));
+        Kind { read, limits, list, schema, required }
     }
 
     /// Reads the value of a key.
@@ -137,19 +189,26 @@ impl<V: 'static> Kind<V> {
     pub fn list(&self, table: &str, [name, meaning, requirement]: [&str; 3], keys: &mut Vec<Key>) {
         let filled = |text: String, limit: &String| text.replacen("{}", limit, 1);
         let requirement = self.limits.iter().fold(requirement.to_owned(), filled);
-        (self.list)(Key { path: joined(table, name), requirement, meaning: meaning.trim().to_owned() }, keys);
+        let (path, meaning) = (joined(table, name), meaning.trim().to_owned());
+        let (schema, required) = (self.schema.clone(), self.required);
+        (self.list)(Key { path, requirement, meaning, schema, required }, keys);
     }
 }
 
 /// Any value of a type.
-pub fn value<T: DeserializeOwned + 'static>() -> Kind<T> {
-    Kind::new(|section, name| section.value(name))
+pub fn value<T: Typed>() -> Kind<T> {
+    Kind::new(T::schema(), |section, name| section.value(name))
 }
 
 /// A finite number in a range.
 pub fn number(range: impl RangeBounds<f64> + Clone + 'static) -> Kind<f64> {
     let inside = range.clone();
     value::<f64>().such(move |number| number.is_finite() && inside.contains(number)).within(&range)
+}
+
+/// A positive number.
+pub fn positive() -> Kind<f64> {
+    number((Bound::Excluded(0.0), Bound::Unbounded))
 }
 
 /// The range of numbers strictly between two.
@@ -164,12 +223,19 @@ pub const fn above(from: f64, to: f64) -> (Bound<f64>, Bound<f64>) {
 
 /// A list of N finite numbers.
 pub fn numbers<const N: usize>() -> Kind<[f64; N]> {
-    Kind::new(|section, name| {
+    let kind = Kind::new(Vec::<f64>::schema(), |section, name| {
         // For an array the reader would take the first N numbers and ignore the rest.
         let numbers = <[f64; N]>::try_from(section.value::<Vec<f64>>(name)?).ok();
         let finite = numbers.filter(|list| list.iter().all(|number| number.is_finite()));
         finite.ok_or_else(|| section.refusal(name))
-    })
+    });
+    kind.with("minItems", N as i64).with("maxItems", N as i64)
+}
+
+/// A list of finite numbers, at most so many.
+pub fn list(most: usize) -> Kind<Vec<f64>> {
+    let right = move |all: &Vec<f64>| all.len() <= most && all.iter().all(|number| number.is_finite());
+    value().such(right).with("maxItems", most as i64)
 }
 
 /// Two numbers in a range, the first less than the second.
@@ -190,7 +256,8 @@ pub fn count(range: RangeInclusive<u32>) -> Kind<u32> {
 /// A list of different whole numbers, at least one.
 pub fn counts(range: RangeInclusive<u32>) -> Kind<Vec<u32>> {
     let allowed = range.clone();
-    let kind = Kind::new(move |section, name| {
+    let list = schema([("type", "array".into()), ("items", u32::schema().into())]);
+    let kind = Kind::new(list, move |section, name| {
         let mut counts = Vec::new();
         for written in section.value::<Vec<Spanned<u32>>>(name)? {
             let count = *written.get_ref();
@@ -204,58 +271,86 @@ pub fn counts(range: RangeInclusive<u32>) -> Kind<Vec<u32>> {
         }
         if counts.is_empty() { Err(section.refusal(name)) } else { Ok(counts) }
     });
-    kind.within(&range)
+    kind.within(&range).with("minItems", 1).with("uniqueItems", true)
 }
 
 /// One of several words, each of which stands for a value.
-pub fn choice<T: Clone + 'static>(words: &'static [(&'static str, T)]) -> Kind<T> {
-    Kind::new(|section, name| {
-        let written: String = section.value(name)?;
-        let meant = words.iter().find(|(word, _)| *word == written);
-        meant.map(|(_, meaning)| meaning.clone()).ok_or_else(|| section.refusal(name))
-    })
+pub fn choice<T: Clone + 'static>(words: impl IntoIterator<Item = (&'static str, T)>) -> Kind<T> {
+    let words: Vec<(&str, T)> = words.into_iter().collect();
+    let names: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+    let meant = move |written: String, section: &Section<'_>, name: &str| {
+        let found = words.iter().find(|(word, _)| *word == written);
+        found.map(|(_, meaning)| meaning.clone()).ok_or_else(|| section.refusal(name))
+    };
+    value().map(meant).with("enum", names)
+}
+
+/// A list of such words.
+pub fn choices<T: Clone + 'static>(words: impl IntoIterator<Item = (&'static str, T)>) -> Kind<Vec<T>> {
+    let words: Vec<(&str, T)> = words.into_iter().collect();
+    let one = schema([("enum", words.iter().map(|(word, _)| *word).collect::<Vec<_>>().into())]);
+    let meant = move |written: Vec<String>, section: &Section<'_>, name: &str| {
+        let of =
+            |one: &String| words.iter().find(|(word, _)| word == one).map(|(_, meaning)| meaning.clone());
+        written.iter().map(of).collect::<Option<_>>().ok_or_else(|| section.refusal(name))
+    };
+    value().map(meant).with("items", one)
 }
 
 /// A key that may be left out.
-pub fn maybe<V: 'static>(Kind { read, limits, list }: Kind<V>) -> Kind<Option<V>> {
+pub fn maybe<V: 'static>(kind: Kind<V>) -> Kind<Option<V>> {
+    let Kind { read, limits, list, schema, .. } = kind;
     let read =
         move |section: &Section<'_>, name: &str| section.has(name).then(|| read(section, name)).transpose();
-    Kind { read: Box::new(read), limits, list }
+    Kind { read: Box::new(read), limits, list, schema, required: false }
 }
 
-/// A key that may be left out and then has this value.
-pub fn or<V: Clone + 'static>(kind: Kind<V>, usual: V) -> Kind<V> {
-    maybe(kind).map(move |given, _, _| Ok(given.unwrap_or_else(|| usual.clone())))
+/// A key that may be left out and then has this value, as it would be written.
+pub fn or<V: 'static>(kind: Kind<V>, usual: impl Into<toml::Value>) -> Kind<V> {
+    let usual = usual.into();
+    let default = usual.clone();
+    let Kind { read, limits, list, schema, .. } = kind;
+    let read = move |section: &Section<'_>, name: &str| {
+        if section.has(name) { read(section, name) } else { as_written(name, &usual, &read) }
+    };
+    Kind { read: Box::new(read), limits, list, schema, required: false }.with("default", default)
+}
+
+/// What is read where a value is written.
+fn as_written<V>(name: &str, value: &toml::Value, read: &Reader<V>) -> Result<V, SourceError> {
+    let (text, requirements) = (Text::new(&format!("{name} = {value}"), &[]), Requirements::new(""));
+    Source::new(&text, "", &requirements).unchecked(|section| read(&section, name))
 }
 
 /// A table.
 pub fn table<T: Keys + 'static>() -> Kind<T> {
-    Kind::new(|section, name| T::read(&section.table(name)?)).listed(list_table::<T>)
+    Kind::new(object(), |section, name| T::read(&section.table(name)?)).listed(list_table::<T>)
 }
 
 /// A table all of whose keys are left out.
 pub fn usual<T: Keys>() -> T {
-    let requirements = Requirements::new("");
-    let text = Text::new("", &[]);
-    let source = Source::new(&text, "", &requirements);
-    source.whole(|section| T::read(&section)).expect("all keys of such a table may be left out")
+    let table = toml::Value::Table(toml::Table::new());
+    let read: Reader<T> = Box::new(|section, name| T::read(&section.table(name)?));
+    as_written("usual", &table, &read).expect("all keys of such a table may be left out")
 }
 
 /// A list of tables, such as `[[fig08.panels]]`; empty if the key is missing and no table is
 /// required.
 pub fn tables<T: Keys + 'static>(range: RangeInclusive<usize>) -> Kind<Vec<T>> {
-    let allowed = range.clone();
-    let kind = Kind::new(move |section, name| {
-        if *allowed.start() == 0 && !section.has(name) {
+    let [least, most] = [*range.start(), *range.end()];
+    let kind = Kind::new(schema([("type", "array".into())]), move |section, name| {
+        if least == 0 && !section.has(name) {
             return Ok(Vec::new());
         }
         let tables = section.tables(name)?;
-        if !allowed.contains(&tables.len()) {
+        if !range.contains(&tables.len()) {
             return Err(section.refusal(name));
         }
         tables.iter().map(T::read).collect()
     });
-    kind.within(&range).listed(list_table::<T>)
+    let kind = kind.with("minItems", least as i64).with("maxItems", most as i64);
+    let kind = kind.saying([least, most].map(|end| end.to_string())).listed(list_table::<T>);
+    Kind { required: least > 0, ..kind }
 }
 
 fn list_table<T: Keys>(key: Key, keys: &mut Vec<Key>) {
@@ -267,15 +362,15 @@ fn list_table<T: Keys>(key: Key, keys: &mut Vec<Key>) {
 /// A table in which any names may stand, each with a value of a kind; `requirement` is that of each
 /// value.
 pub fn any_names<V: 'static>(kind: Kind<V>, requirement: impl Into<String>) -> Kind<Vec<(String, V)>> {
-    let requirement = requirement.into();
+    let (requirement, schema) = (requirement.into(), kind.schema.clone());
     let read = move |section: &Section<'_>, name: &str| {
         let table = section.table(name)?;
         let named = |name: &str| Ok((name.to_owned(), kind.read(&table, name)?));
         table.names().into_iter().map(named).collect()
     };
-    Kind::new(read).listed(move |key, keys| {
-        let path = joined(&key.path, "*");
-        let any = Key { path, requirement: requirement.clone(), meaning: key.meaning.clone() };
+    Kind::new(object(), read).listed(move |key, keys| {
+        let (path, requirement, schema) = (joined(&key.path, "*"), requirement.clone(), schema.clone());
+        let any = Key { path, requirement, meaning: key.meaning.clone(), schema, required: false };
         keys.extend([key, any]);
     })
 }
@@ -284,7 +379,7 @@ pub fn any_names<V: 'static>(kind: Kind<V>, requirement: impl Into<String>) -> K
 pub fn derived<T: Keys + 'static, V: 'static>(
     make: impl Fn(T, &Section<'_>) -> Result<V, SourceError> + 'static,
 ) -> Kind<V> {
-    Kind::new(move |section, _| make(T::read(section)?, section)).listed(|key, keys| {
+    Kind::new(Schema::new(), move |section, _| make(T::read(section)?, section)).listed(|key, keys| {
         T::list(key.path.rsplit_once('.').map_or("", |(table, _)| table), keys);
     })
 }
@@ -292,5 +387,5 @@ pub fn derived<T: Keys + 'static, V: 'static>(
 /// A field without a key, which is filled after the keys have been read, and holds the default
 /// value until then.
 pub fn unwritten<V: Default + 'static>() -> Kind<V> {
-    Kind::new(|_, _| Ok(V::default())).listed(|_, _| {})
+    Kind::new(Schema::new(), |_, _| Ok(V::default())).listed(|_, _| {})
 }

@@ -53,6 +53,14 @@ impl Source<'_> {
         Err(self.unknown(position, shortened(setting.key(), SHOWN), name, &names))
     }
 
+    /// The whole file, read by `read`, whether its keys are known or not.
+    pub(super) fn unchecked<T, E: From<SourceError>>(
+        &self,
+        read: impl FnOnce(Section<'_>) -> Result<T, E>,
+    ) -> Result<T, E> {
+        self.document(|document| read(Section::whole(self, document.get_ref())))
+    }
+
     /// The whole file, read by `read`.
     ///
     /// # Errors

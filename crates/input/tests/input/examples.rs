@@ -12,7 +12,7 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
 }
 
-fn files() -> Vec<PathBuf> {
+pub(crate) fn files() -> Vec<PathBuf> {
     let entries = fs::read_dir(folder()).expect("examples/ can be read");
     let paths = entries.map(|entry| entry.expect("examples/ can be read").path());
     paths.filter(|path| path.extension().is_some_and(|extension| extension == "toml")).collect()

@@ -7,6 +7,7 @@ mod literature;
 mod messages;
 mod part;
 mod random_texts;
+mod schema;
 mod sizes;
 mod third_order;
 mod walls;

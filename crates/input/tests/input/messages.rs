@@ -27,7 +27,7 @@ loops = [1, 2, 3]
 "#;
 
 /// Edits of the description: the table, the key whose line is replaced, and the new line.
-const EDITS: &[(&str, &str, &str)] = &[
+pub(crate) const EDITS: &[(&str, &str, &str)] = &[
     // The file.
     ("", "name", "name = Invented"),
     ("", "name", "name = \" \""),
@@ -189,7 +189,7 @@ const EDITS: &[(&str, &str, &str)] = &[
 ];
 
 /// The correct description with one line changed.
-fn edited(table: &str, key: &str, line: &str) -> String {
+pub(crate) fn edited(table: &str, key: &str, line: &str) -> String {
     let mut inside = table.is_empty();
     let mut done = false;
     let mut text = String::new();

@@ -1,7 +1,7 @@
 //! Beyond the paper: the branches on which the long-term behaviour of Figure 2 lies, where it is periodic.
 
 use grazing_drawing::{Heading, draw_one_parameter};
-use grazing_input::kind::{count, value};
+use grazing_input::kind::{count, list};
 use grazing_results::branches::OneParameter;
 use grazing_results::place::briefly;
 use grazing_results::{Names, span};
@@ -24,7 +24,7 @@ keys! {
         /// The most impacts of a solution whose branch is followed.
         impacts: u32 = count(2..=MOST_IMPACTS), "the most impacts must be a whole number from {} to {}";
         /// Amplitudes at which phase portraits are drawn, where Figure 2 has them.
-        portraits: Vec<f64> = value().such(|all: &Vec<f64>| all.len() <= MOST_PORTRAITS && all.iter().all(|at| at.is_finite())),
+        portraits: Vec<f64> = list(MOST_PORTRAITS),
             "the amplitudes of the phase portraits must be a list of at most 6 numbers; [] for none";
     }
 }

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use grazing_drawing::geometry::sheet::Bounds;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, RESET_COLOUR, SMALL_LABEL_SIZE, TITLE_SIZE};
 use grazing_drawing::plot::scene::{NamedPart, SpaceSheet};
-use grazing_input::kind::{derived, number, strictly, table, tables};
+use grazing_input::kind::{derived, number, positive, strictly, table, tables};
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
@@ -53,10 +53,10 @@ keys! {
         /// pi].
         phase: f64 = number(strictly(0.0, TAU)), "the phase must lie strictly between 0 and 2 pi";
         /// How much phase before the point the orbit is drawn, in radians.
-        before: f64 = number(0.0..).such(|before| *before > 0.0),
+        before: f64 = positive(),
             "the phase before must be positive, and the orbit must begin at 0 or later";
         /// How much phase after the point the orbit is drawn, in radians.
-        after: f64 = number(0.0..).such(|after| *after > 0.0),
+        after: f64 = positive(),
             "the phase after must be positive, and the orbit must end before 2 pi";
     }
 }

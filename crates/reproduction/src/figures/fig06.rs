@@ -9,7 +9,7 @@ mod shapes;
 
 use core::f64::consts::TAU;
 
-use grazing_input::kind::{count, number};
+use grazing_input::kind::{count, number, positive};
 use grazing_results::{rows, tables, words};
 
 use crate::figure::prelude::*;
@@ -54,7 +54,7 @@ keys! {
         /// The forcing frequency omega.
         frequency: f64 = number(FREQUENCIES), FREQUENCY;
         /// The forcing amplitude, below grazing: the motion does not reach the wall.
-        amplitude: f64 = number(0.0..).such(|amplitude| *amplitude > 0.0),
+        amplitude: f64 = positive(),
             "the forcing amplitude must lie above 0 and below the grazing amplitude of fig06.frequency";
         /// The forcing phase z in radians.
         phase: f64 = number(0.0..TAU), "the phase must be a number from 0 to below 2 pi";

@@ -1,6 +1,7 @@
 //! The permitted contents of the parameter file, and the messages for other contents.
 
 mod file;
+mod schema;
 mod together;
 mod values;
 
