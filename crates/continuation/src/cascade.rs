@@ -23,7 +23,7 @@ use crate::regula_falsi::zero_between;
 
 /// The reason why no further orbit begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stop {
+pub enum CascadeEnd {
     /// The last doubling creates unstable orbits.
     Subcritical,
     /// The last orbits leave the map before they double: an impact loses its velocity, or a visit before an impact is at
@@ -37,7 +37,7 @@ pub enum Stop {
     Enough,
 }
 
-impl Stop {
+impl CascadeEnd {
     /// The name used in tables.
     pub const fn name(self) -> &'static str {
         match self {
@@ -56,7 +56,7 @@ pub struct Cascade {
     /// M at which orbits with 2, 4, 8, … impacts begin.
     pub onsets: Vec<f64>,
     /// The reason why no more begin.
-    pub stop: Stop,
+    pub stop: CascadeEnd,
 }
 
 /// An orbit of the limit map.
@@ -88,19 +88,19 @@ impl Cascade {
     /// The cascade of a map, up to orbits with 2^`most` impacts.
     pub fn of(map: &LimitMap, most: usize) -> Self {
         let mut onsets = Vec::new();
-        let stop = follow(map, most, &mut onsets).err().unwrap_or(Stop::Enough);
+        let stop = follow(map, most, &mut onsets).err().unwrap_or(CascadeEnd::Enough);
         Self { onsets, stop }
     }
 }
 
-fn follow(map: &LimitMap, most: usize, onsets: &mut Vec<f64>) -> Result<(), Stop> {
+fn follow(map: &LimitMap, most: usize, onsets: &mut Vec<f64>) -> Result<(), CascadeEnd> {
     if map.criticality().is_nan() || map.criticality() <= 0.0 {
-        return Err(Stop::Subcritical);
+        return Err(CascadeEnd::Subcritical);
     }
     let [velocity, parameter] = map.period_doubling();
     onsets.push(parameter);
     // Orbits with two impacts are in closed form.
-    let parameter = map.doubled_doubling().ok_or(Stop::Grazing)?;
+    let parameter = map.doubled_doubling().ok_or(CascadeEnd::Grazing)?;
     let [one, other] = map.doubled_impacts(map.second_doubling().sqrt());
     let mut here = Cycle { phases: vec![one.phase, other.phase], parameter };
     let mut step = STEP * velocity;
@@ -201,18 +201,19 @@ impl Cycle {
         step: f64,
         onsets: &mut Vec<f64>,
         most: usize,
-    ) -> Result<Self, Stop> {
+    ) -> Result<Self, CascadeEnd> {
         let away = |from: &Self, to: &Self| (to.parameter - from.parameter) * map.period_doubling()[1] < 0.0;
-        let first = self.opened(map, step).ok_or(Stop::Lost)?.solved(map, step).ok_or(Stop::Lost)?;
+        let first =
+            self.opened(map, step).ok_or(CascadeEnd::Lost)?.solved(map, step).ok_or(CascadeEnd::Lost)?;
         if !away(self, &first) {
-            return Err(Stop::Subcritical);
+            return Err(CascadeEnd::Subcritical);
         }
         onsets.push(self.parameter);
         if onsets.len() == most {
             return Ok(first);
         }
         let before = first.flip(map).signum();
-        let mut last = [self.opened(map, 0.0).ok_or(Stop::Lost)?, first];
+        let mut last = [self.opened(map, 0.0).ok_or(CascadeEnd::Lost)?, first];
         for count in 2..MOST_STEPS {
             let [before_last, from] = &last;
             let at = |share: f64| {
@@ -221,7 +222,7 @@ impl Cycle {
                 let parameter = ahead(before_last.parameter, from.parameter);
                 let gap = (count as f64 - 1.0 + share) * step;
                 let guess = Self { phases: phases.collect(), parameter };
-                guess.solved(map, gap).ok_or(Stop::Lost)
+                guess.solved(map, gap).ok_or(CascadeEnd::Lost)
             };
             let to = at(1.0)?;
             let flips = [from.flip(map), to.flip(map)].map(|flip| before * flip);
@@ -233,16 +234,16 @@ impl Cycle {
                     })
                 };
                 let found = zero_between(flips, flip, |_, value| value.abs() < LOCATED * flips[0].abs())?;
-                return if found.is_admissible(map) { Ok(found) } else { Err(Stop::Grazing) };
+                return if found.is_admissible(map) { Ok(found) } else { Err(CascadeEnd::Grazing) };
             }
             if !to.is_admissible(map) {
-                return Err(Stop::Grazing);
+                return Err(CascadeEnd::Grazing);
             }
             if !away(from, &to) {
-                return Err(Stop::SaddleNode);
+                return Err(CascadeEnd::SaddleNode);
             }
             last = [last[1].clone(), to];
         }
-        Err(Stop::Lost)
+        Err(CascadeEnd::Lost)
     }
 }

@@ -176,11 +176,11 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
 
 /// The reason why an iteration ends.
 #[derive(Clone, Copy)]
-enum Stop {
+enum IterationEnd {
     Undefined(MapError),
     Lost,
 }
-use Stop::{Lost, Undefined};
+use IterationEnd::{Lost, Undefined};
 
 /// The MPS near `start` at which both conditions hold.
 ///

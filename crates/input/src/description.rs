@@ -23,7 +23,7 @@ pub(crate) struct Content {
     /// The file as written, except that the constants are in alphabetical order.
     pub(crate) file: File,
     /// What is seen from each wall: one, or two in the order of the file.
-    pub(crate) stops: Vec<Seen>,
+    pub(crate) stops: Vec<WallView>,
     pub(crate) start: Option<[f64; 2]>,
     pub(crate) curves: Vec<OwnCurve>,
     pub(crate) diagrams: Vec<OneParameter>,
@@ -34,7 +34,7 @@ pub(crate) struct Content {
 
 /// The oscillator as it is seen from one of its walls.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Seen {
+pub(crate) struct WallView {
     pub(crate) texts: Expressions<String>,
     pub(crate) places: Expressions<KeyPlace>,
     pub(crate) side: Side,
@@ -207,7 +207,7 @@ impl Description {
     }
 
     /// What is seen from the wall.
-    pub(crate) fn seen(&self) -> &Seen {
+    pub(crate) fn seen(&self) -> &WallView {
         &self.0.stops[self.1]
     }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use grazing_model::smooth::Stop;
 
 use crate::description::{
-    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Property, Seen, Wall,
+    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Property, Wall, WallView,
 };
 use crate::document::{Keys, Section, SourceError};
 use crate::error::{DescriptionError, KeyPlace};
@@ -225,7 +225,7 @@ pub(crate) fn description(section: &Section<'_>, stop: &Stop) -> Result<Descript
                 return Err(section.forbid(&key, "it must be positive over the ranges".to_owned()).into());
             }
         }
-        stops.push(Seen { texts, places, side, mass_text, formulas, mass });
+        stops.push(WallView { texts, places, side, mass_text, formulas, mass });
     }
     if !forced {
         let places = &stops[0].places;

@@ -6,8 +6,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::Description;
 pub(crate) use grazing_results::columns::{C_SN, PRIMARY, SECONDARY};
 use grazing_results::{Column, Table};
-use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::{Coefficient, Verdict};
+use grazing_unfold::verification::Simulated;
 
 use crate::columns::in_parentheses;
 use crate::html::{Html, counted, identifier};
@@ -198,7 +198,7 @@ impl Tally {
 #[cfg(test)]
 mod tests {
     use grazing_continuation::bifurcation::Pair;
-    use grazing_unfold::sides::Inconclusive;
+    use grazing_unfold::verification::Inconclusive;
 
     use super::*;
     use crate::sample::{MEASURED, NOT_MEASURED, SIDES, coefficient};

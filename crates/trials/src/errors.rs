@@ -25,7 +25,7 @@ pub use listed::{DeliberateError, list};
 
 /// The claims or tests that noticed an error.
 #[derive(Debug, PartialEq)]
-pub enum Seen {
+pub enum SeenBy {
     /// Labels of claims that failed.
     Claims(Vec<String>),
     /// No claim failed; names of tests that failed.
@@ -245,7 +245,7 @@ impl<'a> Copy<'a> {
     ///
     /// # Errors
     /// A file cannot be read or written, or a program cannot be run.
-    pub fn try_out(&mut self, index: usize) -> io::Result<Seen> {
+    pub fn try_out(&mut self, index: usize) -> io::Result<SeenBy> {
         let error = &self.errors[index];
         if self.switched[index] {
             return self.seen(index);
@@ -259,7 +259,7 @@ impl<'a> Copy<'a> {
         fs::write(self.root.join(&error.file), wrong)?;
         let seen = match self.build() {
             Ok(()) => self.seen(index),
-            Err(error) if error.to_string().contains("could not compile") => Ok(Seen::DoesNotCompile),
+            Err(error) if error.to_string().contains("could not compile") => Ok(SeenBy::DoesNotCompile),
             Err(error) => Err(error),
         };
         self.restore(&error.file)?;
@@ -269,7 +269,7 @@ impl<'a> Copy<'a> {
 
     /// The claims or tests that notice an error. The claims are run first, then the tests of the error's
     /// own crate, then those of the others, until a test fails that does not compare with earlier output.
-    fn seen(&self, index: usize) -> io::Result<Seen> {
+    fn seen(&self, index: usize) -> io::Result<SeenBy> {
         let own = self.errors[index].file.components().nth(1).map(|part| part.as_os_str().to_owned());
         let is_own = |test: &&TestProgram| own.as_deref() == Some(test.of.as_ref());
         let (claims, rest): (Vec<_>, Vec<_>) =
@@ -290,13 +290,13 @@ impl<'a> Copy<'a> {
             frozen.extend(old);
             if !failed.is_empty() {
                 let by_claims = test.program.to_string_lossy().contains("/claims-");
-                return Ok(if by_claims { Seen::Claims(failed) } else { Seen::Tests(failed) });
+                return Ok(if by_claims { SeenBy::Claims(failed) } else { SeenBy::Tests(failed) });
             }
         }
         Ok(match (not_ended, frozen.is_empty()) {
-            (true, _) => Seen::NotEnded,
-            (_, false) => Seen::Frozen(frozen),
-            _ => Seen::Unseen,
+            (true, _) => SeenBy::NotEnded,
+            (_, false) => SeenBy::Frozen(frozen),
+            _ => SeenBy::Unseen,
         })
     }
 
@@ -364,7 +364,7 @@ impl<'a> Copy<'a> {
 const LONGEST: &str = "600";
 
 /// The table with new rows, in the order of the list; other rows are kept if they are still listed.
-pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, Seen>) -> String {
+pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, SeenBy>) -> String {
     let cells = |line: &str| {
         let mut cells = line.trim_matches(['|', ' ']).splitn(3, " | ").map(str::to_owned);
         Some([cells.next()?, cells.next()?, cells.next()?])
@@ -383,7 +383,7 @@ pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, Seen>
     table
 }
 
-impl std::fmt::Display for Seen {
+impl std::fmt::Display for SeenBy {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let mut list = |kind: &str, names: &[String]| {
             let first: Vec<String> = names.iter().take(3).map(|name| format!("`{name}`")).collect();

@@ -97,7 +97,7 @@ fn deliberate_errors(numbers: Vec<usize>) -> bool {
             let start = Instant::now();
             let by = copy.try_out(number - 1)?;
             println!("{number:3} {}: {by}, {:.0} s", error.meaning, start.elapsed().as_secs_f64());
-            right &= by != errors::Seen::Unseen;
+            right &= by != errors::SeenBy::Unseen;
             seen.insert(number, by);
             let table = root.join(errors::TABLE);
             let before = std::fs::read_to_string(&table).unwrap_or_default();

@@ -8,7 +8,7 @@ use grazing_continuation::cusp::cusps;
 use grazing_continuation::locate::same_point;
 use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
 
-use crate::beyond;
+use crate::beyond_grazing;
 use crate::copies::without_copies;
 
 /// A curve with this many points is lost.
@@ -268,7 +268,8 @@ impl Net {
             let ways = [[&points[1], &points[0]], [before, last]];
             for way in ways.into_iter().filter(|[_, end]| same_point(&end.solution.unknowns, corner)) {
                 if ended.kind != Bifurcation::Grazing {
-                    let again = beyond::admissible_again(&self.equations, ended.kind.condition(), way, route);
+                    let again =
+                        beyond_grazing::admissible_again(&self.equations, ended.kind.condition(), way, route);
                     farther.extend(again.into_iter().map(|curve| DiagramCurve { curve, ..*ended }));
                 }
             }

@@ -27,9 +27,9 @@ use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use nalgebra::{Matrix4, Vector3, Vector4};
 
-use crate::edges::on_the_edge;
 use crate::resonances::Resonance;
 use crate::tolerances::BETWEEN_RESONANCES;
+use crate::window_edge::on_the_edge;
 use crate::{Diagram, Scope};
 
 /// The oscillator at a fraction of the way from one member to the next, with arbitrary primary and

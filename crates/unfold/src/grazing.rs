@@ -18,7 +18,7 @@ use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use crate::Scope;
-use crate::edges::on_the_edge;
+use crate::window_edge::on_the_edge;
 
 /// A point of a grazing curve.
 #[derive(Clone, Debug)]

@@ -11,7 +11,7 @@
 //!                  ├─ magnification   the same curves close to one resonance, with the quadratic approximations
 //!                  ├─ straightened    their distance from the grazing curve, with its digits at any scale
 //!                  ├─ verdict         whether the theorem's coefficients are those of the curves
-//!                  ├─ sides           whether the hybrid system, simulated (simulation), does what is predicted
+//!                  ├─ verification    whether the hybrid system, simulated (simulation), does what is predicted
 //!                  └─ one_parameter   branches on a line of the plane, with simulation (long_time) and phase portraits
 //! ```
 //!
@@ -67,13 +67,11 @@
 //! # Ok::<(), grazing_unfold::UnfoldError>(())
 //! ```
 
-mod alongside;
-mod beyond;
+mod beyond_grazing;
+mod close_curves;
 mod copies;
 pub mod curves;
 pub mod diagram;
-mod dips;
-mod edges;
 mod error;
 pub mod escape;
 mod faces;
@@ -83,11 +81,11 @@ pub mod grazing;
 pub mod levels;
 pub mod long_time;
 pub mod magnification;
+mod missed_bifurcations;
 pub mod non_impacting;
 pub mod one_parameter;
 mod origin;
 mod outside;
-mod pace;
 pub mod place;
 pub mod progress;
 mod region;
@@ -95,16 +93,16 @@ pub mod regions;
 pub mod resonances;
 mod scope;
 mod search;
+mod segments;
 pub mod sequences;
 mod settled;
-pub mod sides;
-mod sight;
 pub mod simulation;
+mod slice_stability;
 mod slices;
 #[cfg(test)]
 mod specimens;
+mod step_limits;
 pub mod straightened;
-mod stretches;
 mod subharmonic;
 mod suggestion;
 mod survey;
@@ -112,7 +110,9 @@ mod tolerances;
 pub mod unfinished;
 pub mod units;
 pub mod verdict;
+pub mod verification;
 mod winding;
+mod window_edge;
 
 pub use diagram::Diagram;
 pub use error::UnfoldError;

@@ -30,9 +30,9 @@ pub use portraits::Subject;
 
 use crate::curves::DiagramCurve;
 use crate::progress::Progress;
+use crate::segments::broken_at;
 use crate::settled::{Recurring, Through};
 use crate::slices::{FREE_STEPS, Slice, Slicer};
-use crate::stretches::broken_at;
 use crate::tolerances::BETWEEN_EVENTS_ON_A_CUT;
 use crate::{Scope, non_impacting, search};
 use branches::{Strand, same_bifurcation, within};

@@ -171,7 +171,7 @@ impl Solution {
 
 /// An attractor in numbers alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
+pub struct AttractorSummary {
     /// The number of initial states that approach it.
     pub states: u32,
     /// The long-term behaviour on the attractor.
@@ -186,8 +186,8 @@ pub struct Seen {
 /// All states are first followed for a short time, and only those unlike any known attractor for
 /// the whole horizon and until their exponent has converged: motion that has not settled in the
 /// short time counts as known irregular motion, if there is any.
-pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> Vec<Seen> {
-    let mut found: Vec<(Outcome, Seen)> = Vec::new();
+pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> Vec<AttractorSummary> {
+    let mut found: Vec<(Outcome, AttractorSummary)> = Vec::new();
     let shortly = Horizon { patience: Patience::Drifting, ..horizon };
     for &start in states {
         let mut orbit = LongOrbit::follow(oscillator, start, shortly);
@@ -203,7 +203,7 @@ pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> V
             if horizon.is_some() {
                 let orbit = orbit.judged(oscillator);
                 let exponent = orbit.exponent(oscillator);
-                found.push((outcome, Seen { states: 1, fate: orbit.fate, exponent }));
+                found.push((outcome, AttractorSummary { states: 1, fate: orbit.fate, exponent }));
                 break;
             }
         }

@@ -5,8 +5,8 @@
 //! whole length is shaded, one in which none does is not, and where slices disagree, or a branch
 //! could not be followed, the face is reported as undecided.
 
-mod judge;
-mod wanted;
+mod face_stability;
+mod slice_placement;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
@@ -24,7 +24,7 @@ use crate::progress::Progress;
 use crate::search;
 use crate::survey::Survey;
 
-use self::judge::{FaceVerdict, Judge};
+use self::face_stability::{FaceVerdict, Judge};
 pub use crate::region::{Doubt, Region};
 
 /// Faces with less than this fraction of the window's area are residues of rounding between curves
@@ -100,7 +100,7 @@ pub(crate) fn decided(
         wanted.extend(across_curves(judge, survey, lines));
         judge.affordable(unseen, &wanted)
     });
-    let Seen { judge, lines, curves, is_whole } = seen?;
+    let Evidence { judge, lines, curves, is_whole } = seen?;
     if is_whole {
         return Some(judge.regions(&lines, survey.curves(), survey.loops(), false));
     }
@@ -110,7 +110,7 @@ pub(crate) fn decided(
 }
 
 /// What slices show, and the lines that cut the window.
-struct Seen {
+struct Evidence {
     judge: Judge,
     lines: Vec<Vec<Point>>,
     curves: Vec<DiagramCurve>,
@@ -138,7 +138,7 @@ fn refined(
     levels: &[f64],
     progress: &dyn Progress,
     wanted: impl Fn(&Judge, &Survey<'_>, &[Vec<Point>]) -> Vec<f64>,
-) -> Option<Seen> {
+) -> Option<Evidence> {
     let mut last = None;
     let mut levels = levels.to_vec();
     for round in 0..=ROUNDS {
@@ -158,7 +158,7 @@ fn refined(
             }
             let is_whole = !goes_on && levels.is_empty();
             let curves = if is_whole { Vec::new() } else { survey.curves().to_vec() };
-            last = Some(Seen { judge, lines, curves, is_whole });
+            last = Some(Evidence { judge, lines, curves, is_whole });
         }
         if levels.is_empty() && !survey.enters(progress) {
             break;
@@ -328,7 +328,7 @@ mod tests {
     use grazing_results::plane::RegionKind;
 
     use super::*;
-    use crate::sight::Sight;
+    use crate::slice_stability::SliceStability;
 
     #[test]
     fn a_slice_that_differs_is_not_outvoted() {
@@ -338,7 +338,7 @@ mod tests {
         let block = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.4], [right, 0.4]];
         let sliver = [[right, 0.6], [left, 0.6], [left, 0.4], [0.0, 0.4]];
         let face: Face = vec![[block, sliver].concat()];
-        let sight = |secondary: f64, good: Vec<[f64; 2]>| Sight {
+        let sight = |secondary: f64, good: Vec<[f64; 2]>| SliceStability {
             secondary,
             good,
             doubts: Vec::new(),
@@ -360,8 +360,12 @@ mod tests {
     #[test]
     fn what_a_curve_knows_of_a_place_beside_it_is_not_outvoted() {
         let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
-        let nothing =
-            |secondary: f64| Sight { secondary, good: Vec::new(), doubts: Vec::new(), everywhere: None };
+        let nothing = |secondary: f64| SliceStability {
+            secondary,
+            good: Vec::new(),
+            doubts: Vec::new(),
+            everywhere: None,
+        };
         let square: Face = vec![vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
         let judge =
             |witnesses: Vec<Point>| Judge { window, sights: [0.2, 0.5, 0.8].map(nothing).into(), witnesses };
@@ -381,13 +385,13 @@ mod tests {
 
     const UNIT: Window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
 
-    fn sight(secondary: f64, good: &[[f64; 2]], doubts: &[f64]) -> Sight {
+    fn sight(secondary: f64, good: &[[f64; 2]], doubts: &[f64]) -> SliceStability {
         let doubts = doubts.iter().map(|primary| (*primary, Doubt::ManyBranches)).collect();
-        Sight { secondary, good: good.to_vec(), doubts, everywhere: None }
+        SliceStability { secondary, good: good.to_vec(), doubts, everywhere: None }
     }
 
     /// The regions of the whole window, cut by no curve.
-    fn whole(sights: Vec<Sight>) -> Vec<(RegionKind, Option<Doubt>)> {
+    fn whole(sights: Vec<SliceStability>) -> Vec<(RegionKind, Option<Doubt>)> {
         let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1, false);
         regions.into_iter().map(|region| (region.kind(), region.doubt)).collect()
     }
@@ -403,7 +407,7 @@ mod tests {
         // Half of a slice, where no curve runs, and a doubt about all of a slice.
         let disagreement = (RegionKind::Undecided, Some(Doubt::Disagreement));
         assert_eq!(whole(vec![sight(0.3, &[[0.0, 0.5]], &[])]), [disagreement]);
-        let everywhere = Sight { everywhere: Some(Doubt::ManyBranches), ..sight(0.3, none, &[]) };
+        let everywhere = SliceStability { everywhere: Some(Doubt::ManyBranches), ..sight(0.3, none, &[]) };
         assert_eq!(whole(vec![everywhere]), [undecided]);
         // And without a slice.
         assert_eq!(whole(Vec::new()), [(RegionKind::Undecided, Some(Doubt::Unseen))]);

@@ -7,7 +7,7 @@
 //! slice to slice at constant y. They are also found where a known bifurcation curve crosses the
 //! slice. Without impacts branches pass the grazing curve, and solutions are carried at constant μ.
 
-mod leads;
+mod branch_starts;
 
 use core::f64::consts::TAU;
 
@@ -23,10 +23,10 @@ use grazing_model::smooth::Purpose;
 use grazing_model::{ImpactOscillator, State};
 
 use crate::copies::without_copies;
-use crate::dips;
 use crate::grazing::HighestPoint;
-use crate::pace::{Pace, is_lost};
+use crate::missed_bifurcations;
 use crate::progress::Progress;
+use crate::step_limits::{StepLimits, is_lost};
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 
 /// The branches at one η, and the progress of the work on them.
@@ -290,7 +290,7 @@ impl Slicer {
     /// A branch with the pairs of bifurcations that it has stepped over.
     fn whole(&self, branch: Curve) -> Curve {
         let mut branch = without_copies(&self.equations, branch);
-        for (condition, through, times) in dips::stepped_over(&self.equations, &branch) {
+        for (condition, through, times) in missed_bifurcations::stepped_over(&self.equations, &branch) {
             self.insert(&mut branch, condition, &through, times);
         }
         branch
@@ -327,7 +327,7 @@ impl Slicer {
                 Purpose::Columns.during(|| curve.follow_both_ways(through.clone(), upwards, times, &route));
             return Some(self.whole(followed.ok()?));
         }
-        let pace = Pace::new(&self.equations, window, through);
+        let pace = StepLimits::new(&self.equations, window, through);
         let pace = |points: &[CurvePoint], tangent: &Unknowns| pace.longest(points, tangent, size(through));
         let route = Route { pace: Some(&pace), ..route };
         let followed =

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 use self::explain::{bounding, explained, is_wide, start};
 use crate::Scope;
-use crate::alongside::Vertices;
+use crate::close_curves::Vertices;
 use crate::curves::{DiagramCurve, Net, route};
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
@@ -27,9 +27,9 @@ use crate::levels::{self, Level, Levels};
 use crate::outside;
 use crate::progress::Progress;
 use crate::region::Doubt;
-use crate::sight::Sight;
+use crate::segments::{broken_at, segments};
+use crate::slice_stability::SliceStability;
 use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, precise, spread, steps};
-use crate::stretches::{broken_at, stretches};
 use crate::tolerances::CLEAR;
 
 /// The slices through the surface of solutions with p loops, in the order of η.
@@ -362,13 +362,13 @@ impl<'a> Survey<'a> {
     }
 
     /// The sights of all slices.
-    pub(crate) fn sights(&self) -> Vec<Sight> {
+    pub(crate) fn sights(&self) -> Vec<SliceStability> {
         let sight = |slice: &Slice| {
-            let mut sight = Sight::of(slice);
+            let mut sight = SliceStability::of(slice);
             for branch in &slice.branches {
-                let (stretches, borders) = stretches(&self.net.equations, branch);
-                for stretch in stretches.iter().filter(|stretch| stretch.good) {
-                    sight.see(stretch.primary);
+                let (segments, borders) = segments(&self.net.equations, branch);
+                for segment in segments.iter().filter(|segment| segment.good) {
+                    sight.see(segment.primary);
                 }
                 let unnamed = borders.iter().filter(|border| border.event.is_none());
                 for border in unnamed.filter(|border| is_wide(border, self.scope.window)) {
@@ -411,7 +411,13 @@ mod tests {
 
     /// The sights of p-loop MPSs on slices of a random oscillator to which nothing leads from
     /// grazing, and the number of curves.
-    fn seen(number: u64, seed: u64, loops: u32, window: Window, levels: &[f64]) -> (usize, Vec<Sight>) {
+    fn seen(
+        number: u64,
+        seed: u64,
+        loops: u32,
+        window: Window,
+        levels: &[f64],
+    ) -> (usize, Vec<SliceStability>) {
         let text = grazing_trials::oscillators::description(seed, number);
         let model = Description::parse(&text, "two wells").expect("what is made at random is right");
         let oscillator = model.oscillator([window.primary[0], window.secondary[0]]);

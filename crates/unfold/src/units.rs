@@ -12,9 +12,9 @@ use crate::escape::Escape;
 use crate::levels::Property;
 use crate::non_impacting::Height;
 use crate::one_parameter::Line;
-use crate::sides::{Inconclusive, Simulated};
 use crate::straightened::StraightCurve;
 use crate::verdict::Coefficient;
+use crate::verification::{Inconclusive, Simulated};
 use crate::{Scope, UnfoldError};
 
 impl Scope {

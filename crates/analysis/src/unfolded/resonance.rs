@@ -13,10 +13,10 @@ use grazing_theorems::hypothesis::{Hypothesis, Theorem};
 use grazing_unfold::Diagram;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::resonances::Resonance;
-use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::straightened::{StraightCurve, straighten};
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
+use grazing_unfold::verification::{Simulated, simulate};
 
 use crate::limits::measured_doubled_grazing;
 use crate::plane::{self, Axes};

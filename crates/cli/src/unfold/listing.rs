@@ -18,9 +18,9 @@ use grazing_unfold::Diagram;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::resonances;
 use grazing_unfold::sequences::Sequence;
-use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
+use grazing_unfold::verification::Simulated;
 
 use super::analysis::Analysis;
 use super::numbers::{fixed, range, significant};
@@ -390,9 +390,9 @@ mod tests {
     use grazing_theorems::hypothesis::Theorem;
     use grazing_unfold::progress::Silent;
     use grazing_unfold::regions::{Doubt, Region};
-    use grazing_unfold::sides::{Inconclusive, Sides};
     use grazing_unfold::simulation::ReturnOutcome;
     use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict};
+    use grazing_unfold::verification::{Inconclusive, Sides};
 
     /// A resonance whose saddle-node coefficient is measured with an error, and what simulation
     /// shows beside that curve.

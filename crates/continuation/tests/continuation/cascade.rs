@@ -1,6 +1,6 @@
 //! Cascades of the limit map, compared with its own orbits and those of the system.
 
-use grazing_continuation::cascade::{Cascade, Stop};
+use grazing_continuation::cascade::{Cascade, CascadeEnd};
 use grazing_continuation::doubled::DoubledEquations;
 use grazing_continuation::mps::unknown;
 use grazing_continuation::resonance::LocatedResonance;
@@ -38,7 +38,7 @@ fn orbits_of_the_map_double_where_a_cascade_says_so() {
     {
         let map = LimitMap::of_linear_oscillator(loops, sigma, epsilon).unwrap();
         let Cascade { onsets, stop } = Cascade::of(&map, 4);
-        assert_eq!((onsets.len(), stop), (4, Stop::Enough), "{sigma} {epsilon}");
+        assert_eq!((onsets.len(), stop), (4, CascadeEnd::Enough), "{sigma} {epsilon}");
         for (parameter, impacts) in between(&onsets) {
             let (_, mut here) = start(&map, parameter);
             let next = |_| {
@@ -56,12 +56,12 @@ fn orbits_of_the_map_double_where_a_cascade_says_so() {
 #[test]
 fn a_cascade_says_why_it_stops() {
     for (loops, sigma, begun, why) in [
-        (1, 0.8, 0, Stop::Subcritical),
-        (1, -0.15, 0, Stop::Subcritical),
-        (1, -0.22, 1, Stop::Subcritical),
-        (2, -0.22, 1, Stop::Grazing),
-        (2, -0.44, 2, Stop::Grazing),
-        (2, -0.475, 3, Stop::Grazing),
+        (1, 0.8, 0, CascadeEnd::Subcritical),
+        (1, -0.15, 0, CascadeEnd::Subcritical),
+        (1, -0.22, 1, CascadeEnd::Subcritical),
+        (2, -0.22, 1, CascadeEnd::Grazing),
+        (2, -0.44, 2, CascadeEnd::Grazing),
+        (2, -0.475, 3, CascadeEnd::Grazing),
     ] {
         let map = LimitMap::of_linear_oscillator(loops, sigma, 0.9).unwrap();
         let Cascade { onsets, stop } = Cascade::of(&map, 4);

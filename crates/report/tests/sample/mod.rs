@@ -19,9 +19,9 @@ use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Frame, Names, Table, Title, UnitNames, columns};
 use grazing_theorems::LinearOscillator;
 use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity, Theorem};
-use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
 use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::verdict::Coefficient;
+use grazing_unfold::verification::{Inconclusive, Sides, Simulated};
 
 /// Text that would be markup if it were not escaped.
 pub(crate) const HOSTILE: &str = "<img src=\"x\" onerror='alert(1)'>&";

@@ -14,7 +14,7 @@ use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::plane::PlaneDiagram;
 use grazing_results::{place, row, rows, tables};
 use grazing_unfold::long_time::{Horizon, MotionKind, Patience};
-use grazing_unfold::place::{Seen, seen};
+use grazing_unfold::place::{AttractorSummary, seen};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -178,7 +178,7 @@ impl PaperFigure for BeyondAttractors {
 }
 
 /// The properties that distinguish and order attractors.
-fn identity(one: &Seen) -> (MotionKind, u32, u64) {
+fn identity(one: &AttractorSummary) -> (MotionKind, u32, u64) {
     match one.fate.periods {
         Some(periods) => (one.fate.kind, periods, one.fate.impacts.to_bits()),
         None => (one.fate.kind, 0, 0),
@@ -233,8 +233,8 @@ impl<'a> Map<'a> {
             found.sort_by_key(identity);
             (column, found)
         };
-        let places: Vec<(u32, Vec<Seen>)> = (0..self.size[0]).map(at).collect();
-        let alike = |a: &(u32, Vec<Seen>), b: &(u32, Vec<Seen>)| {
+        let places: Vec<(u32, Vec<AttractorSummary>)> = (0..self.size[0]).map(at).collect();
+        let alike = |a: &(u32, Vec<AttractorSummary>), b: &(u32, Vec<AttractorSummary>)| {
             a.1.iter().map(identity).eq(b.1.iter().map(identity))
         };
         let mut stretches = Vec::new();
@@ -246,10 +246,11 @@ impl<'a> Map<'a> {
                 let all = || stretch.iter().map(|(_, found)| &found[k]);
                 let fate = found[k].fate;
                 let mean = all().map(|one| one.fate.impacts).sum::<f64>() / f64::from(places);
-                let irregular = |of: &dyn Fn(&Seen) -> f64, choose: fn(f64, f64) -> f64| match fate.periods {
-                    Some(_) => f64::NAN,
-                    None => all().map(of).fold(f64::NAN, choose),
-                };
+                let irregular =
+                    |of: &dyn Fn(&AttractorSummary) -> f64, choose: fn(f64, f64) -> f64| match fate.periods {
+                        Some(_) => f64::NAN,
+                        None => all().map(of).fold(f64::NAN, choose),
+                    };
                 stretches.push(Stretch {
                     secondary,
                     first,

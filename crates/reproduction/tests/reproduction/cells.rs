@@ -17,9 +17,9 @@ use grazing_theorems::hypothesis::Condition;
 use grazing_theorems::unfolding::StabilityCoefficients;
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 use grazing_unfold::progress::Silent;
-use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
 use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::verdict::Coefficient;
+use grazing_unfold::verification::{Inconclusive, Sides, Simulated};
 
 use crate::study::{made, theory};
 use crate::units::{dimension_of_hypothesis, written};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use grazing_trials::errors::{DeliberateError, Seen, TABLE, list, table};
+use grazing_trials::errors::{DeliberateError, SeenBy, TABLE, list, table};
 
 #[test]
 fn every_error_can_be_put_in() {
@@ -40,9 +40,9 @@ fn rows_that_were_not_tried_out_stay() {
         replace: String::new(),
     };
     let list = [error("first"), error("second")];
-    let once = table("", &list, &BTreeMap::from([(1, Seen::Claims(vec!["eq:A".to_owned()]))]));
+    let once = table("", &list, &BTreeMap::from([(1, SeenBy::Claims(vec!["eq:A".to_owned()]))]));
     assert!(once.contains("| 1 | first | 1 claim: `eq:A` |") && once.contains("| 2 | second | not tried"));
-    let twice = table(&once, &list, &BTreeMap::from([(2, Seen::Unseen)]));
+    let twice = table(&once, &list, &BTreeMap::from([(2, SeenBy::Unseen)]));
     assert!(
         twice.contains("| 1 | first | 1 claim: `eq:A` |") && twice.contains("| 2 | second | **nobody** |")
     );

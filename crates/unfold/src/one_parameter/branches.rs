@@ -17,7 +17,7 @@ use grazing_results::{Stability, span};
 use nalgebra::Vector2;
 
 use super::flights::visits_of;
-use crate::stretches::{Vertex, vertices};
+use crate::segments::{Vertex, vertices};
 
 /// A branch of periodic solutions at one η.
 #[derive(Clone, Debug)]

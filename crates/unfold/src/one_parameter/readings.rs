@@ -14,7 +14,7 @@ use super::branches::{Branch, within};
 use super::{Cut, Sampling};
 use crate::long_time::{LongOrbit, MotionKind, Strike};
 use crate::progress::Progress;
-use crate::stretches::{Vertex, vertices};
+use crate::segments::{Vertex, vertices};
 
 /// Number of instants of a forcing period between which turning points are bracketed: at turning
 /// points closer together x has no visible difference.

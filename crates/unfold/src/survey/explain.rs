@@ -7,7 +7,7 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Unknowns, unknown};
 
 use crate::curves::{DiagramCurve, Net};
-use crate::stretches::{Border, stretches};
+use crate::segments::{Border, segments};
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 
 /// Extent of good solutions, as a fraction of the ranges and about the accuracy of drawn curves,
@@ -28,7 +28,7 @@ pub(super) fn is_wide(border: &Border<'_>, window: Window) -> bool {
 /// The bifurcations on a branch that bound good solutions; and all grazing of doubled motion without
 /// impacts, at which branches begin.
 pub(super) fn bounding(net: &Net, branch: &Curve, window: Window, doubled: bool) -> Vec<Event> {
-    let (_, borders) = stretches(&net.equations, branch);
+    let (_, borders) = segments(&net.equations, branch);
     let wide = borders.into_iter().filter(|border| is_wide(border, window));
     let grazing = |event: &&Event| doubled && event.condition == Condition::InteriorGrazing;
     let bounds = wide.filter_map(|border| border.event);

@@ -11,7 +11,7 @@ use crate::faces::Point;
 use crate::grazing::GrazingState;
 use crate::slices::near_chord;
 use crate::tolerances::{CLEAR, DRAWN};
-use crate::{Scope, alongside};
+use crate::{Scope, close_curves};
 
 /// Impact velocity below which a bifurcation curve runs beside the grazing curve, as long as it is near.
 const BESIDE_GRAZING: f64 = 1e-3;
@@ -37,7 +37,7 @@ impl Survey<'_> {
             lines.extend(grazing);
         }
         lines.extend(self.doublings());
-        lines.extend(alongside::polylines(
+        lines.extend(close_curves::polylines(
             &self.net.equations,
             curves,
             &shown,

@@ -9,9 +9,9 @@ use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::Resonance;
-use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Verdict, coefficients};
+use grazing_unfold::verification::{Simulated, simulate};
 use insta::{Settings, assert_snapshot};
 use rayon::prelude::*;
 

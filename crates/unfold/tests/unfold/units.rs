@@ -6,10 +6,10 @@ use grazing_input::Description;
 use grazing_model::smooth::{Stop, Units};
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
-use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
 use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Coefficient;
+use grazing_unfold::verification::{Inconclusive, Sides, Simulated};
 use grazing_unfold::{Scope, UnfoldError};
 
 use crate::specimens::{self, EPSILON, ZETA, resonances};

@@ -5,9 +5,9 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::sides::{Inconclusive, Sides, Simulated, simulate};
 use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict, coefficients};
+use grazing_unfold::verification::{Inconclusive, Sides, Simulated, simulate};
 use grazing_unfold::{Diagram, Scope};
 
 use crate::specimens::{EPSILON, ZETA, assert_within, described, scope, written};

@@ -4,7 +4,7 @@ use grazing_continuation::curve::Window;
 
 use crate::faces::{Face, Point, chords, extent};
 use crate::region::Doubt;
-use crate::sight::Sight;
+use crate::slice_stability::SliceStability;
 use crate::tolerances::CLEAR;
 
 /// Along chords shorter than this fraction of the window a face may seem mixed: curves are drawn by
@@ -30,7 +30,7 @@ pub(super) struct FaceVerdict {
 /// The information by which faces are judged.
 pub(super) struct Judge {
     pub(super) window: Window,
-    pub(super) sights: Vec<Sight>,
+    pub(super) sights: Vec<SliceStability>,
     /// Points beside curves at which a solution is known to be stable and admissible.
     pub(super) witnesses: Vec<Point>,
 }

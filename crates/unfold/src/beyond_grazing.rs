@@ -5,7 +5,7 @@ use grazing_continuation::curve::{Curve, CurvePoint, Route, SolutionCurve};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns};
 
-use crate::dips;
+use crate::missed_bifurcations;
 
 /// A continued curve with this many points is lost.
 const FARTHEST: usize = 2_000;
@@ -34,7 +34,7 @@ pub(crate) fn admissible_again(
             inside.push((middle.solution.unknowns.clone(), middle.times.clone()));
         }
     }
-    inside.extend(dips::come_up(equations, &beyond));
+    inside.extend(missed_bifurcations::come_up(equations, &beyond));
     let through = |(at, times): (Unknowns, EventTimes)| {
         curve().follow_both_ways(at, onwards.clone(), &times, route).ok()
     };

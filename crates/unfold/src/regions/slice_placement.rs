@@ -1,7 +1,7 @@
 //! Places where slices are wanted: at faces that none crosses, between verdicts that differ, beside
 //! loose ends of curves and across curves.
 
-use super::judge::Judge;
+use super::face_stability::Judge;
 use crate::faces::{Face, Point, extent};
 
 /// Number of values of η in a face at which the longest chord is looked for.
@@ -128,7 +128,7 @@ mod tests {
     use grazing_continuation::curve::Window;
 
     use super::*;
-    use crate::sight::Sight;
+    use crate::slice_stability::SliceStability;
 
     const UNIT: Window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
 
@@ -138,7 +138,7 @@ mod tests {
         let (good, doubts) = (Vec::new(), Vec::new());
         let judge = Judge {
             window,
-            sights: vec![Sight { secondary: 1.0, good, doubts, everywhere: None }],
+            sights: vec![SliceStability { secondary: 1.0, good, doubts, everywhere: None }],
             witnesses: Vec::new(),
         };
         let wanted: Vec<f64> = (0..=10_000).map(|k| 2.0 * f64::from(k) / 10_000.0).collect();
@@ -155,7 +155,8 @@ mod tests {
 
     #[test]
     fn slices_are_laid_beside_loose_ends_and_through_curves_that_none_crosses() {
-        let nothing = Sight { secondary: 0.5, good: Vec::new(), doubts: Vec::new(), everywhere: None };
+        let nothing =
+            SliceStability { secondary: 0.5, good: Vec::new(), doubts: Vec::new(), everywhere: None };
         let judge = Judge { window: UNIT, sights: vec![nothing], witnesses: Vec::new() };
         // From the edge to a loose end, and two curves that meet.
         let line = |points: &[Point]| points.to_vec();

@@ -1,4 +1,4 @@
-//! Stretches of branches on which solutions are stable and admissible, the borders between them,
+//! Segments of branches on which solutions are stable and admissible, the borders between them,
 //! and the points where a branch breaks off.
 
 use grazing_continuation::curve::{Curve, CurveEnd, Event};
@@ -8,7 +8,7 @@ use grazing_results::span;
 
 /// A piece of a branch on which stability and admissibility do not change.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stretch {
+pub(crate) struct Segment {
     /// The primary parameter at its ends.
     pub(crate) primary: [f64; 2],
     /// Whether the MPSs are stable and admissible.
@@ -49,9 +49,9 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
     vertices
 }
 
-/// The stretches of a branch and the borders between them, where MPSs are stable and admissible on
+/// The segments of a branch and the borders between them, where MPSs are stable and admissible on
 /// one of both sides.
-pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec<Stretch>, Vec<Border<'a>>) {
+pub(crate) fn segments<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec<Segment>, Vec<Border<'a>>) {
     let vertices = vertices(branch);
     // A multiplier is 1 there.
     let first = vertices.first().filter(|_| matches!(branch.beginning, Some(CurveEnd::Halved)));
@@ -69,18 +69,18 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
         }
     };
     let primary = |vertex: &Vertex<'_>| vertex.solution.parameters()[0];
-    let stretches: Vec<Stretch> = vertices
+    let segments: Vec<Segment> = vertices
         .windows(2)
-        .map(|pair| Stretch { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
+        .map(|pair| Segment { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
         .collect();
     let mut borders: Vec<Border<'a>> = Vec::new();
     let mut end = 0;
-    for run in stretches.chunk_by(|a, b| a.good == b.good) {
+    for run in segments.chunk_by(|a, b| a.good == b.good) {
         let start = end;
         end += run.len();
         if run[0].good {
             let all = &vertices[start..=end];
-            // Grazing may bound as short a stretch, and is kept.
+            // Grazing may bound as short a segment, and is kept.
             let grazes = |vertex: &Vertex<'_>| {
                 vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
             };
@@ -89,7 +89,7 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
                 greatest - least
             };
             let reach = (!all.iter().any(grazes)).then(|| [0, 1].map(extent));
-            let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
+            let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < segments.len());
             borders.extend(inner.map(|k| Border {
                 primary: primary(&vertices[k]),
                 event: vertices[k].event,
@@ -97,7 +97,7 @@ pub(crate) fn stretches<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Ve
             }));
         }
     }
-    (stretches, borders)
+    (segments, borders)
 }
 
 /// The solution half-way between two neighbours on a branch.
@@ -114,7 +114,7 @@ fn middle_of(
 
 /// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over
 /// a hill of a potential for instance, and nearby solutions are so sensitive to parameters that any
-/// stable stretches are shorter than a diagram shows (empirical: none was seen by simulation).
+/// stable segments are shorter than a diagram shows (empirical: none was seen by simulation).
 const BROKEN_BY_VIOLENCE: f64 = 1e3;
 
 /// The primary parameters at which a branch could not be followed to its end, with the reason;

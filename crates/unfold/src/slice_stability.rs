@@ -5,7 +5,7 @@ use crate::slices::{MOST_BRANCHES, Slice};
 
 /// The good solutions and doubts on a slice of constant η.
 #[derive(Clone, Debug)]
-pub(crate) struct Sight {
+pub(crate) struct SliceStability {
     pub(crate) secondary: f64,
     /// Intervals of μ with a stable, admissible solution.
     pub(crate) good: Vec<[f64; 2]>,
@@ -13,7 +13,7 @@ pub(crate) struct Sight {
     pub(crate) everywhere: Option<Doubt>,
 }
 
-impl Sight {
+impl SliceStability {
     /// An empty sight of a slice, with a doubt if it has more branches than can be distinguished.
     pub(crate) fn of(slice: &Slice) -> Self {
         let everywhere = (slice.branches.len() >= MOST_BRANCHES).then_some(Doubt::ManyBranches);

@@ -32,7 +32,7 @@ pub(crate) fn is_lost(points: &[CurvePoint]) -> bool {
 /// The multipliers λ of small motion about an orbit turn as η changes, and at a resonance pass 1 or
 /// −1 at a distance that depends on the damping. A step may therefore turn them by a fraction of
 /// their distance from there.
-pub(crate) struct Pace<'a> {
+pub(crate) struct StepLimits<'a> {
     equations: &'a LoopEquations,
     /// The width of the range of η.
     width: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Pace<'a> {
     rate: f64,
 }
 
-impl<'a> Pace<'a> {
+impl<'a> StepLimits<'a> {
     pub(crate) fn new(equations: &'a LoopEquations, window: Window, start: &Unknowns) -> Self {
         let oscillator = equations.oscillator_at(start);
         let turned = angle_in_a_period(&oscillator, equations.departure(start));
