@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_export::{Drawing, comparison};
+use grazing_report::{Drawing, comparison};
 
 use crate::folder::{self, OutputFile, TemporaryFolder};
 use crate::terminal;

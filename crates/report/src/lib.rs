@@ -9,11 +9,15 @@
 //! ledger in `claims.js`, light and dark in `theme.js`. Without scripts it is a document like any
 //! other, except for the rows of long tables.
 //!
+//! Figures for print are its second output: a [`Drawing`] is a figure, read from its SVG, that becomes PDF or
+//! PNG.
+//!
 //! This crate computes nothing and does no input or output.
 
 mod columns;
 mod data;
 mod figure;
+mod formats;
 mod formula;
 mod html;
 mod ledger;
@@ -32,6 +36,7 @@ extern crate self as grazing_report;
 #[path = "../tests/sample/mod.rs"]
 mod sample;
 
+pub use formats::{Drawing, FormatError, comparison};
 pub use formula::{FormulaError, mathml};
 pub use manifest::{FileDigest, Manifest};
 pub use oscillator::OscillatorEntry;

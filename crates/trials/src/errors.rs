@@ -41,7 +41,7 @@ pub enum SeenBy {
 }
 
 /// The crates whose tests are run, in this order, after those of the crate that contains the error.
-const OBSERVERS: [&str; 14] = [
+const OBSERVERS: [&str; 13] = [
     "claims",
     "theorems",
     "model",
@@ -53,7 +53,6 @@ const OBSERVERS: [&str; 14] = [
     "reproduction",
     "drawing",
     "report",
-    "export",
     "trials",
     "cli",
 ];

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use grazing_drawing::{Sheet, SheetWidth, unmarked};
-use grazing_export::{Drawing, ExportError};
+use grazing_report::{Drawing, FormatError};
 
 use crate::folder::OutputFile;
 
@@ -123,7 +123,7 @@ impl Edition {
         file: &str,
         sheet: &Sheet,
         room: &Room<'_>,
-    ) -> Result<(Vec<OutputFile>, Vec<PathBuf>), ExportError> {
+    ) -> Result<(Vec<OutputFile>, Vec<PathBuf>), FormatError> {
         let mut svg = sheet.svg();
         if self.text == TextForm::Outlines {
             svg = sheet.svg_around(&Drawing::read(&svg)?.outlines());

@@ -5,7 +5,7 @@
 mod browser;
 mod program;
 // Reading exported figures, shared with the tests of the exports.
-#[path = "../../../export/tests/export/reading/mod.rs"]
+#[path = "../../../report/tests/formats/reading/mod.rs"]
 mod reading;
 
 mod archive;

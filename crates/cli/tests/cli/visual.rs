@@ -10,7 +10,7 @@ use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
 use grazing_drawing::geometry::sheet::{Spot, cross, distance};
 use grazing_drawing::{Bounds, SheetWidth};
-use grazing_export::Drawing;
+use grazing_report::Drawing;
 
 /// The thinnest line that offset printing renders reliably, in points, and the smallest text that
 /// journals accept.

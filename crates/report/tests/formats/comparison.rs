@@ -1,6 +1,6 @@
 //! Two versions of a figure side by side.
 
-use grazing_export::{Drawing, comparison};
+use grazing_report::{Drawing, comparison};
 
 use crate::picture::Picture;
 

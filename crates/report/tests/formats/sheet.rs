@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-use grazing_export::{Drawing, ExportError};
+use grazing_report::{Drawing, FormatError};
 
 use crate::picture::Picture;
 use crate::reading::Reading;
@@ -180,7 +180,7 @@ fn another_reader_of_pdf_finds_the_text() {
 
 #[test]
 fn what_cannot_be_drawn_is_refused() {
-    let told = |error: Option<ExportError>| error.expect("it cannot be drawn").to_string();
+    let told = |error: Option<FormatError>| error.expect("it cannot be drawn").to_string();
     assert!(told(Drawing::read("old").err()).starts_with("not a drawable SVG"));
     let snow = SAMPLE.replace("𝒜", "雪");
     assert!(told(Drawing::read(&snow).err()).starts_with("label `雪` needs"));

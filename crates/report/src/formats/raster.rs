@@ -2,8 +2,8 @@
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 
-use crate::error::ExportError;
-use crate::figure::Drawing;
+use super::error::FormatError;
+use super::figure::Drawing;
 
 /// Points in an inch.
 const POINTS_PER_INCH: f64 = 72.0;
@@ -15,7 +15,7 @@ impl Drawing {
     ///
     /// # Errors
     /// There would be no pixel, or more than memory holds, or the PNG could not be written.
-    pub fn png(&self, resolution: f64) -> Result<Vec<u8>, ExportError> {
+    pub fn png(&self, resolution: f64) -> Result<Vec<u8>, FormatError> {
         encode(&self.pixels(resolution)?, resolution)
     }
 
@@ -28,7 +28,7 @@ impl Drawing {
     }
 
     /// The figure in pixels.
-    pub(crate) fn pixels(&self, resolution: f64) -> Result<Pixmap, ExportError> {
+    pub(crate) fn pixels(&self, resolution: f64) -> Result<Pixmap, FormatError> {
         let scale = resolution / POINTS_PER_INCH;
         let (width, height) = self.size();
         let (width, height) = ((scale * width).round() as u32, (scale * height).round() as u32);
@@ -40,13 +40,13 @@ impl Drawing {
 }
 
 /// A picture of this many pixels, all transparent.
-pub(crate) fn blank(width: u32, height: u32) -> Result<Pixmap, ExportError> {
-    let error = || ExportError(format!("a picture of {width} by {height} pixels cannot be drawn"));
+pub(crate) fn blank(width: u32, height: u32) -> Result<Pixmap, FormatError> {
+    let error = || FormatError(format!("a picture of {width} by {height} pixels cannot be drawn"));
     Pixmap::new(width, height).ok_or_else(error)
 }
 
 /// Pixels as PNG, without transparency: the sheet is white.
-pub(crate) fn encode(pixels: &Pixmap, resolution: f64) -> Result<Vec<u8>, ExportError> {
+pub(crate) fn encode(pixels: &Pixmap, resolution: f64) -> Result<Vec<u8>, FormatError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
     encoder.set_color(png::ColorType::Rgb);

@@ -7,7 +7,7 @@ mod picture;
 mod reading;
 mod sheet;
 
-use grazing_export::Drawing;
+use grazing_report::Drawing;
 
 /// An SVG with all features that the figures use; lengths in points.
 const SAMPLE: &str = include_str!("sample.svg");

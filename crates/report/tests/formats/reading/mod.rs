@@ -1,7 +1,7 @@
 //! The positions of labels and lines, read from the finished figure and not from its source.
 
 use grazing_drawing::Bounds;
-use grazing_export::Drawing;
+use grazing_report::Drawing;
 use resvg::tiny_skia::{Path, PathSegment, Rect, Transform};
 use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;

@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 use pdf_writer::{Chunk, Content, Finish, Name, Pdf, Primitive, Rect, Ref, TextStr};
 use svg2pdf::{ConversionOptions, to_chunk};
 
-use crate::error::ExportError;
-use crate::figure::Drawing;
+use super::error::FormatError;
+use super::figure::Drawing;
 
 /// The objects around those of the drawing.
 const CATALOGUE: Ref = Ref::new(1);
@@ -30,10 +30,10 @@ impl Drawing {
     ///
     /// # Errors
     /// The PDF could not be written, or is not laid out as expected.
-    pub fn pdf(&self, title: &str) -> Result<Vec<u8>, ExportError> {
+    pub fn pdf(&self, title: &str) -> Result<Vec<u8>, FormatError> {
         let options = ConversionOptions { compress: true, embed_text: true, ..ConversionOptions::default() };
         let (chunk, drawing) = to_chunk(&self.tree, options)
-            .map_err(|error| ExportError(format!("no PDF could be written: {error}")))?;
+            .map_err(|error| FormatError(format!("no PDF could be written: {error}")))?;
         let (width, height) = (self.tree.size().width(), self.tree.size().height());
         let name = Name(b"figure");
         let mut pdf = Pdf::new();
@@ -72,7 +72,7 @@ impl Primitive for Object {
 }
 
 /// The objects in the order in which references from the drawing lead to them, numbered in this order.
-fn ordered(chunk: &Chunk, drawing: Ref) -> Result<Vec<Object>, ExportError> {
+fn ordered(chunk: &Chunk, drawing: Ref) -> Result<Vec<Object>, FormatError> {
     let mut objects = objects(chunk)?;
     let (mut order, mut next) = (vec![drawing.get()], 0);
     while let Some(number) = order.get(next) {
@@ -94,7 +94,7 @@ fn ordered(chunk: &Chunk, drawing: Ref) -> Result<Vec<Object>, ExportError> {
 }
 
 /// The objects by their numbers.
-fn objects(chunk: &Chunk) -> Result<BTreeMap<i32, Object>, ExportError> {
+fn objects(chunk: &Chunk) -> Result<BTreeMap<i32, Object>, FormatError> {
     const END: &str = "\nendobj\n\n";
     let header = |number: Ref| format!("{} 0 obj\n", number.get());
     let (mut rest, mut objects) = (chunk.as_bytes(), BTreeMap::new());
@@ -141,8 +141,8 @@ fn for_each_reference(text: &str, mut renumber: impl FnMut(i32) -> i32) -> Strin
     replaced
 }
 
-fn layout(wrong: &str) -> ExportError {
-    ExportError(format!("the PDF cannot be put in order: {wrong}"))
+fn layout(wrong: &str) -> FormatError {
+    FormatError(format!("the PDF cannot be put in order: {wrong}"))
 }
 
 fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {

@@ -2,9 +2,9 @@
 
 use resvg::tiny_skia::{Color, Pixmap, PixmapPaint, PremultipliedColorU8, Transform};
 
-use crate::error::ExportError;
-use crate::figure::Drawing;
-use crate::raster::{blank, encode};
+use super::error::FormatError;
+use super::figure::Drawing;
+use super::raster::{blank, encode};
 
 /// A resolution at which the labels can be read.
 const COMPARISON_DPI: f64 = 150.0;
@@ -16,7 +16,7 @@ const MARGIN: u32 = 40;
 ///
 /// # Errors
 /// One of the pictures cannot be drawn.
-pub fn comparison(before: &Drawing, after: &Drawing) -> Result<Vec<u8>, ExportError> {
+pub fn comparison(before: &Drawing, after: &Drawing) -> Result<Vec<u8>, FormatError> {
     let (before, after) = (before.pixels(COMPARISON_DPI)?, after.pixels(COMPARISON_DPI)?);
     let difference = difference(&before, &after)?;
     let pictures = [("before", before), ("after", after), ("difference", difference)];
@@ -40,7 +40,7 @@ fn draw(sheet: &mut Pixmap, picture: &Pixmap, left: u32, top: u32) {
 }
 
 /// The picture of a word in the figures' font.
-fn heading_picture(word: &str) -> Result<Pixmap, ExportError> {
+fn heading_picture(word: &str) -> Result<Pixmap, FormatError> {
     let svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80\" height=\"16\"><rect width=\"80\" height=\"16\" \
          fill=\"#e1e1e1\"/><text x=\"0\" y=\"12\" font-family=\"STIX Two Text\" font-size=\"12\">{word}</text></svg>"
@@ -49,7 +49,7 @@ fn heading_picture(word: &str) -> Result<Pixmap, ExportError> {
 }
 
 /// The difference of two pictures; outside of either one the sheet counts as white.
-fn difference(before: &Pixmap, after: &Pixmap) -> Result<Pixmap, ExportError> {
+fn difference(before: &Pixmap, after: &Pixmap) -> Result<Pixmap, FormatError> {
     let (width, height) = (before.width().max(after.width()), before.height().max(after.height()));
     let mut difference = blank(width, height)?;
     let white = PremultipliedColorU8::from_rgba(255, 255, 255, 255);

@@ -6,7 +6,7 @@ use grazing_drawing::FONT_FILES;
 use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Group, Node, Options, Text, Tree, WriteOptions};
 
-use crate::error::ExportError;
+use super::error::FormatError;
 
 /// User units to an inch: with 72 of them a unit is a point, as in the figures' view boxes.
 const UNITS_PER_INCH: f32 = 72.0;
@@ -24,7 +24,7 @@ impl Drawing {
     ///
     /// # Errors
     /// The text is no SVG that can be drawn, or a label cannot be set in the figures' fonts.
-    pub fn read(svg: &str) -> Result<Drawing, ExportError> {
+    pub fn read(svg: &str) -> Result<Drawing, FormatError> {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
         let drawing = Drawing { tree: Tree::from_str(svg, &options)? };
         ensure_glyphs(&drawing.tree)?;
@@ -61,13 +61,13 @@ fn labels(group: &Group) -> Vec<&Text> {
 }
 
 /// Checks that every character has a glyph.
-fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
+fn ensure_glyphs(tree: &Tree) -> Result<(), FormatError> {
     for text in labels(tree.root()) {
         let glyphs = || text.layouted().iter().flat_map(|span| &span.positioned_glyphs);
         let label: String = text.chunks().iter().map(|chunk| chunk.text()).collect();
         // A font's glyph 0 stands for all characters that it lacks.
         if glyphs().any(|glyph| glyph.id.0 == 0) || (glyphs().next().is_none() && !label.trim().is_empty()) {
-            return Err(ExportError(format!(
+            return Err(FormatError(format!(
                 "label `{label}` needs a character that the embedded fonts do not have"
             )));
         }

@@ -12,8 +12,6 @@
 //! svg2pdf and resvg are built without optimisation like all dependencies, except for the crates
 //! that process every pixel.
 
-#![forbid(unsafe_code)]
-
 mod comparison;
 mod error;
 mod figure;
@@ -21,5 +19,5 @@ mod pdf;
 mod raster;
 
 pub use comparison::comparison;
-pub use error::ExportError;
+pub use error::FormatError;
 pub use figure::Drawing;
