@@ -7,8 +7,7 @@ use std::path::Path;
 
 use crate::browser::{Spot, assert_all_pass, checked, cut, lost, sheets_of_paper};
 use crate::program::{
-    coarse_parameters, edited, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters,
-    repository,
+    coarse_parameters, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
 };
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
@@ -64,8 +63,7 @@ fn copy_sources(to: &Path, from: &Path) {
 
 #[test]
 fn the_page_of_the_whole_study_is_complete_and_answers() {
-    let few = edited(&coarse_parameters(), "[beyond_generations]", "rounds", "rounds = [1]");
-    let folder = project(&few);
+    let folder = project(&coarse_parameters());
     copy_sources(&folder.path().join("crates"), &repository().join("crates"));
     fs::write(folder.path().join("CITATION.cff"), format!("repository-code: \"{HOST}\"\n"))
         .expect("the folder is ours");

@@ -156,10 +156,13 @@ pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> 
     format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
 
-/// The default parameters with a coarse map of attractors, which takes a quarter of the time of all figures.
+/// The default parameters with a coarse map of attractors, and solutions with several impacts that leave few resonances: two
+/// figures that take longer than all others together.
 pub(crate) fn coarse_parameters() -> String {
-    ["columns", "rows"].into_iter().fold(DEFAULT.to_owned(), |parameters, key| {
-        edited(&parameters, "[beyond_attractors]", key, &format!("{key} = 16"))
+    let coarse =
+        [("attractors", "columns", "16"), ("attractors", "rows", "16"), ("generations", "rounds", "[1]")];
+    coarse.into_iter().fold(DEFAULT.to_owned(), |parameters, (section, key, value)| {
+        edited(&parameters, &format!("[beyond_{section}]"), key, &format!("{key} = {value}"))
     })
 }
 
@@ -173,7 +176,6 @@ pub(crate) fn quick_parameters() -> String {
         ("[beyond_cascade]", "values", "40"),
         ("[beyond_atlas]", "rows", "12"),
         ("[beyond_proofs]", "panels", "1"),
-        ("[beyond_generations]", "rounds", "[1]"),
     ] {
         parameters = edited(&parameters, section, key, &format!("{key} = {value}"));
     }
@@ -195,13 +197,13 @@ pub(crate) fn narrow_duffing() -> String {
     edited(&narrow, "[analysis]", "loops", "loops = [3]")
 }
 
-/// A study whose figures' contents are computed once for all tests.
+/// The study of the default parameters: the contents of its figures are computed once for all tests.
 static STUDY: LazyLock<Study> = LazyLock::new(|| {
-    let parameters = Parameters::parse(&Text::new(&coarse_parameters(), &[]), "parameters.toml");
-    Study::new(&parameters.expect("the parameters are valid"))
+    let parameters = Parameters::parse(&Text::new(DEFAULT, &[]), "parameters.toml");
+    Study::new(&parameters.expect("the default parameters are valid"))
 });
 
-/// A folder with all figures and tables of the study at a width, as `reproduce` writes them: SVG, LaTeX
+/// A folder with all figures and tables of the default parameters at a width, as `reproduce` writes them: SVG, LaTeX
 /// with PDF, and at one column PNG with a pixel a point. They are made once for all tests.
 pub(crate) fn edition(columns: SheetWidth) -> tempfile::TempDir {
     static MADE: [OnceLock<Vec<OutputFile>>; 3] = [const { OnceLock::new() }; 3];
@@ -209,7 +211,7 @@ pub(crate) fn edition(columns: SheetWidth) -> tempfile::TempDir {
         let png = (columns == SheetWidth::OneColumn).then_some(Format::Png);
         let formats = [Format::Svg, Format::Tex].into_iter().chain(png).collect();
         let edition = Edition::new(formats, columns, 72, TextForm::Fonts);
-        reproduce::files(&STUDY, &edition).expect("the parameters give all outputs")
+        reproduce::files(&STUDY, &edition).expect("the default parameters give all outputs")
     });
     let place = empty_folder();
     folder::write(place.path(), made).expect("the folder is ours");
