@@ -162,6 +162,10 @@ fn listing(layout: Layout, names: &Names, fit: &Fit, found: &Identified, unused:
         text.push_str(&layout.wrapped("  ", &unused));
     }
     text.push_str("\nResonances, value ± standard error that follows from the constants\n");
+    if found.resonances.is_empty() {
+        text.push_str("  none on the grazing curve\n");
+        return text;
+    }
     let walls = found.resonances.iter().any(|row| row.wall > 0);
     let row = |row: &grazing_results::measured::IdentifiedResonance| {
         let numbers = [Some(row.loops), walls.then_some(row.wall), Some(row.n)];
