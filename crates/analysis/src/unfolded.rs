@@ -18,7 +18,7 @@ use grazing_results::plane::{
 use grazing_results::{Names, Tables, UnitNames, tables};
 use grazing_unfold::levels::Level;
 use grazing_unfold::progress::Progress;
-use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequence, Sequences, sequences as found_sequences};
+use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequence, Sequences, of_diagram};
 use grazing_unfold::unfinished::Unfinished;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
@@ -110,7 +110,7 @@ impl Unfolded {
         stop: &Stop,
         keep: Keep<'_>,
     ) -> Result<Self, UnfoldError> {
-        let (axes, units, loops) = (&of.axes, of.axes.units, of.scope.loops.clone());
+        let (axes, units) = (&of.axes, of.axes.units);
         let nothing: Keep<'_> = &|_| ();
         let mut seen = of.from_each_wall().map(|view| {
             let keep: Keep<'_> = if view.wall < 2 { keep } else { nothing };
@@ -118,9 +118,8 @@ impl Unfolded {
         });
         let first = seen.next().ok_or(UnfoldError::NoOrbit).flatten();
         let other = seen.next().and_then(Result::ok).filter(|other| other.diagram.nothing().is_none());
-        let rounds: Vec<u32> = (1..=loops.into_iter().max().unwrap_or_default()).collect();
         let several = |diagram: &mut Diagram| {
-            let found = found_sequences(diagram, &rounds, description.generations(), progress);
+            let found = of_diagram(diagram, description.generations(), progress);
             if progress.stopped() && (description.generations() > 1 || diagram.wall > 0) {
                 diagram.unfinished.push(Unfinished::stage(SEQUENCES));
             }

@@ -96,7 +96,7 @@ fn refuse_gains(file: &Path, description: &Description, measured: &Measurements)
     for series in &measured.record {
         let Some(impact) = series.gaining() else { continue };
         let ([mu, eta], [time, speed, _]) = (series.at, impact.values);
-        let description = seen.get(impact.wall.max(1) as usize - 1).unwrap_or(description);
+        let description = &seen[impact.stop()];
         let phase = description.forcing_frequency(mu, eta) * time;
         if description.restitution(speed, phase, mu, eta) <= 1.0 {
             let remedy = "are velocity_before and velocity_after exchanged? If impacts drive the rig, start from a restitution above 1";

@@ -16,7 +16,7 @@ use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
-use grazing_unfold::sequences::Sequences;
+use grazing_unfold::sequences::of_diagram;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
@@ -320,16 +320,6 @@ fn region(rows: &[RegionVertex]) -> Value {
     })
 }
 
-/// The solutions with several impacts: with two walls those that hit each once, and with one those up to a generation.
-pub(crate) fn with_several_impacts(
-    diagram: &Diagram,
-    generations: u32,
-    progress: &dyn Progress,
-) -> Sequences {
-    let rounds: Vec<u32> = (1..=diagram.scope.loops.iter().copied().max().unwrap_or_default()).collect();
-    grazing_unfold::sequences::sequences(diagram, &rounds, generations, progress)
-}
-
 /// The regions of solutions with several impacts, and the curves of those that hit both of two walls.
 fn several(
     axes: &Axes,
@@ -337,7 +327,7 @@ fn several(
     generations: u32,
     progress: &dyn Progress,
 ) -> (Vec<Value>, Vec<Value>) {
-    let found = with_several_impacts(diagram, generations, progress);
+    let found = of_diagram(diagram, generations, progress);
     let regions = sequences::rows(&found, &axes.units, diagram.wall).regions;
     let one = |rows: &[SequenceVertex]| {
         let rings = rows.chunk_by(|a, b| a.ring == b.ring);

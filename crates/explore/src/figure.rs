@@ -13,12 +13,13 @@ use grazing_results::place::AtPlace;
 use grazing_results::plane::{PlaneDiagram, StraightenedCurves};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
+use grazing_unfold::sequences::of_diagram;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
 
 use crate::answer::Problem;
 use crate::cut::CutLine;
-use crate::diagram::{problem, whole, with_several_impacts};
+use crate::diagram::{problem, whole};
 use crate::measured::Measured;
 use crate::model::{Model, View};
 use crate::place;
@@ -114,7 +115,7 @@ impl Seen {
                 let compared =
                     measured.map(|rig| rig.beside(model, (&axes, &seen), progress, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
-                let several = with_several_impacts(&seen[0], description.generations(), progress);
+                let several = of_diagram(&seen[0], description.generations(), progress);
                 let mut all = plane::plane_diagram(&axes, (&seen[0], seen.get(1)), Vec::new(), Vec::new());
                 all.several = sequences::rows(&several, &axes.units, seen[0].wall).regions;
                 all.at_both_walls = sequences::at_both_walls(&several, &axes.units, seen[0].wall);

@@ -9,7 +9,7 @@ use grazing_results::measured::{Correlation, Identified, IdentifiedConstant, Ide
 use grazing_unfold::family::{ArcEnd, arcs};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
-use grazing_unfold::sequences::{Sequence, sequences};
+use grazing_unfold::sequences::{Sequence, of_diagram};
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use thiserror::Error;
 
@@ -121,7 +121,7 @@ pub fn identify(
         if needs_curves {
             let diagrams = task.curves(&at, progress)?;
             if needs_both && !both.are_near(&at) {
-                let solutions = sequences(&diagrams[0], &task.scope.loops, 1, progress).solutions;
+                let solutions = of_diagram(&diagrams[0], 1, progress).solutions;
                 both = Both { solutions, at: at.clone(), within: Vec::new() };
             }
             let known = (&diagrams[0], diagrams.get(1), both.solutions.as_slice());
@@ -261,7 +261,7 @@ impl Task<'_> {
         let scales = [time, self.units.velocity(), self.units.velocity()];
         let without = |values: [f64; 3]| [0, 1, 2].map(|k| values[k] / scales[k]);
         let pieces = record.iter().flat_map(|series| {
-            let struck = |impact: &Impact| (impact.line, impact.wall.max(1) as usize - 1);
+            let struck = |impact: &Impact| (impact.line, impact.stop());
             // With one wall nothing is to be said of the impact after the last.
             let next = usize::from(series.impacts.iter().any(|impact| impact.wall > 1));
             let begins = (0..series.impacts.len()).step_by(longest);

@@ -240,6 +240,13 @@ pub fn record_of(
     Ok(all.into_iter().map(|(_, series)| series).collect())
 }
 
+impl Impact {
+    /// The stop that is hit: 0 for the first wall, 1 for the second.
+    pub fn stop(&self) -> usize {
+        usize::from(self.wall > 1)
+    }
+}
+
 impl Series {
     /// The first impact of which the speed after exceeds that before, if the speeds of the series do so on the
     /// whole, by three standard errors: those that are stated, or else those of the scatter.

@@ -221,9 +221,9 @@ impl Segment {
         if !(speed > 0.0 && time.is_finite()) || walls_meet {
             return Err((line, Missing::Result));
         }
-        let count = self.impacts.len();
         // Twice the measured duration: anything later belongs to another orbit.
-        let horizon = 2.0 * (self.impacts[count - 1][0] - self.impacts[0][0]) + here.forcing_period();
+        let duration = self.impacts[self.impacts.len() - 1][0] - self.impacts[0][0];
+        let horizon = 2.0 * duration + here.forcing_period();
         let flights = Orbit::from_stop(&here, (stop, first), horizon, self.struck.len());
         let hits = flights.filter_map(|flight| match flight.end {
             FlightEnd::Impact(state) => Some((flight.stop, flight.start + flight.duration, state)),
@@ -232,20 +232,21 @@ impl Segment {
         let mut hits = [(stop, 0.0, first)].into_iter().chain(hits);
         let mut left = Vec::with_capacity(self.count());
         for (index, &(line, stop)) in self.struck.iter().enumerate() {
-            let (Some((hit, after, state)), measured) = (hits.next(), self.impacts.get(index)) else {
-                // The impact after the last is not measured here.
-                if index < count { return Err((line, Missing::Result)) } else { break }
-            };
-            if hit != stop {
-                return Err((line, Missing::AtWall(hit + 1)));
+            let measured = self.impacts.get(index).zip(self.errors.get(index));
+            match (hits.next(), measured) {
+                (Some((hit, ..)), _) if hit != stop => return Err((line, Missing::AtWall(hit + 1))),
+                (Some((_, after, state)), Some((measured, errors))) => {
+                    let seen = if stop == 0 { &here } else { other.as_ref().unwrap_or(&here) };
+                    let recoil = seen.reset::<0>(OnWall::new(state.velocity, state.phase)).image();
+                    let computed = [time + after, state.velocity, -recoil.velocity];
+                    let numbers = (0..3).filter(|k| !measured[*k].is_nan());
+                    let error = |k: usize| if errors[k].is_nan() { self.assumed[k] } else { errors[k] };
+                    left.extend(numbers.map(|k| (computed[k] - measured[k]) / error(k)));
+                }
+                (None, Some(_)) => return Err((line, Missing::Result)),
+                // The impact after the last one is not measured here, and may be missing.
+                (_, None) => {}
             }
-            let Some((measured, errors)) = measured.zip(self.errors.get(index)) else { break };
-            let seen = if stop == 0 { &here } else { other.as_ref().unwrap_or(&here) };
-            let recoil = seen.reset::<0>(OnWall::new(state.velocity, state.phase)).image();
-            let computed = [time + after, state.velocity, -recoil.velocity];
-            let numbers = (0..3).filter(|k| !measured[*k].is_nan());
-            let error = |k: usize| if errors[k].is_nan() { self.assumed[k] } else { errors[k] };
-            left.extend(numbers.map(|k| (computed[k] - measured[k]) / error(k)));
         }
         if left.iter().all(|value| value.is_finite()) { Ok(left) } else { Err((line, Missing::Result)) }
     }

@@ -147,7 +147,7 @@ fn refined(
         while goes_on {
             goes_on = survey.goes_on(progress);
             let witnesses = if goes_on { Vec::new() } else { survey.witnesses() };
-            let judge = Judge { window, sights: survey.sights(), witnesses };
+            let judge = Judge { window, slices: survey.stabilities(), witnesses };
             let lines = joined(window, survey.lines());
             survey.number();
             let is_last = goes_on || round == ROUNDS;
@@ -170,7 +170,7 @@ fn refined(
 impl Judge {
     /// Horizontal lines that separate the slices with trouble from the others.
     fn bands(&self, judged: &FaceVerdict) -> Vec<Vec<Point>> {
-        let levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
+        let levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
         let mut cuts: Vec<f64> = Vec::new();
         for level in &judged.trouble {
             let below =
@@ -214,13 +214,13 @@ impl Judge {
         let [low, high] = faces::extent(face);
         let [left, right] = self.window.primary;
         let [mut first, mut last] = [f64::INFINITY, f64::NEG_INFINITY];
-        for sight in self.sights.iter().filter(|sight| low <= sight.secondary && sight.secondary <= high) {
-            if sight.everywhere.is_some() {
+        for slice in self.slices.iter().filter(|slice| low <= slice.secondary && slice.secondary <= high) {
+            if slice.everywhere.is_some() {
                 return Vec::new();
             }
-            let chords = faces::chords(face, sight.secondary);
-            let doubts = sight.doubts.iter().map(|(primary, _)| [*primary; 2]);
-            for [from, to] in sight.good.iter().copied().chain(doubts) {
+            let chords = faces::chords(face, slice.secondary);
+            let doubts = slice.doubts.iter().map(|(primary, _)| [*primary; 2]);
+            for [from, to] in slice.good.iter().copied().chain(doubts) {
                 for [begin, end] in chords.iter().filter(|[begin, end]| *begin < to && from < *end) {
                     (first, last) = (first.min(from.max(*begin)), last.max(to.min(*end)));
                 }
@@ -338,15 +338,15 @@ mod tests {
         let block = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.4], [right, 0.4]];
         let sliver = [[right, 0.6], [left, 0.6], [left, 0.4], [0.0, 0.4]];
         let face: Face = vec![[block, sliver].concat()];
-        let sight = |secondary: f64, good: Vec<[f64; 2]>| SliceStability {
+        let slice = |secondary: f64, good: Vec<[f64; 2]>| SliceStability {
             secondary,
             good,
             doubts: Vec::new(),
             everywhere: None,
         };
-        let nothing = [0.1, 0.2, 0.3].map(|secondary| sight(secondary, Vec::new()));
-        let sights = nothing.into_iter().chain([sight(0.5, vec![[left, right]])]).collect();
-        let judge = Judge { window, sights, witnesses: Vec::new() };
+        let nothing = [0.1, 0.2, 0.3].map(|secondary| slice(secondary, Vec::new()));
+        let slices = nothing.into_iter().chain([slice(0.5, vec![[left, right]])]).collect();
+        let judge = Judge { window, slices, witnesses: Vec::new() };
         let judged = judge.judge(face);
         assert!(judged.verdict.is_err());
         let parts = judge.parted(judged);
@@ -368,7 +368,7 @@ mod tests {
         };
         let square: Face = vec![vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
         let judge =
-            |witnesses: Vec<Point>| Judge { window, sights: [0.2, 0.5, 0.8].map(nothing).into(), witnesses };
+            |witnesses: Vec<Point>| Judge { window, slices: [0.2, 0.5, 0.8].map(nothing).into(), witnesses };
         assert_eq!(judge(Vec::new()).judge(square.clone()).verdict, Ok(false));
         // As near to the border as the accuracy of drawing, it may belong to the other side.
         assert_eq!(judge(vec![[1e-4, 0.3]]).judge(square.clone()).verdict, Ok(false));
@@ -385,14 +385,14 @@ mod tests {
 
     const UNIT: Window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
 
-    fn sight(secondary: f64, good: &[[f64; 2]], doubts: &[f64]) -> SliceStability {
+    fn slice(secondary: f64, good: &[[f64; 2]], doubts: &[f64]) -> SliceStability {
         let doubts = doubts.iter().map(|primary| (*primary, Doubt::ManyBranches)).collect();
         SliceStability { secondary, good: good.to_vec(), doubts, everywhere: None }
     }
 
     /// The regions of the whole window, cut by no curve.
-    fn whole(sights: Vec<SliceStability>) -> Vec<(RegionKind, Option<Doubt>)> {
-        let regions = Judge { window: UNIT, sights, witnesses: Vec::new() }.regions(&[], &[], 1, false);
+    fn whole(slices: Vec<SliceStability>) -> Vec<(RegionKind, Option<Doubt>)> {
+        let regions = Judge { window: UNIT, slices, witnesses: Vec::new() }.regions(&[], &[], 1, false);
         regions.into_iter().map(|region| (region.kind(), region.doubt)).collect()
     }
 
@@ -400,14 +400,14 @@ mod tests {
     fn a_doubt_leaves_a_face_undecided_unless_good_solutions_are_there_all_along() {
         let (none, all): (&[[f64; 2]], &[[f64; 2]]) = (&[], &[[0.0, 1.0]]);
         let undecided = (RegionKind::Undecided, Some(Doubt::ManyBranches));
-        assert_eq!(whole(vec![sight(0.3, none, &[]), sight(0.6, none, &[])]), []);
-        assert_eq!(whole(vec![sight(0.3, all, &[]), sight(0.6, all, &[])]), [(RegionKind::Mps, None)]);
-        assert_eq!(whole(vec![sight(0.3, all, &[0.5])]), [(RegionKind::Mps, None)]);
-        assert_eq!(whole(vec![sight(0.3, none, &[0.5])]).as_slice(), std::slice::from_ref(&undecided));
+        assert_eq!(whole(vec![slice(0.3, none, &[]), slice(0.6, none, &[])]), []);
+        assert_eq!(whole(vec![slice(0.3, all, &[]), slice(0.6, all, &[])]), [(RegionKind::Mps, None)]);
+        assert_eq!(whole(vec![slice(0.3, all, &[0.5])]), [(RegionKind::Mps, None)]);
+        assert_eq!(whole(vec![slice(0.3, none, &[0.5])]).as_slice(), std::slice::from_ref(&undecided));
         // Half of a slice, where no curve runs, and a doubt about all of a slice.
         let disagreement = (RegionKind::Undecided, Some(Doubt::Disagreement));
-        assert_eq!(whole(vec![sight(0.3, &[[0.0, 0.5]], &[])]), [disagreement]);
-        let everywhere = SliceStability { everywhere: Some(Doubt::ManyBranches), ..sight(0.3, none, &[]) };
+        assert_eq!(whole(vec![slice(0.3, &[[0.0, 0.5]], &[])]), [disagreement]);
+        let everywhere = SliceStability { everywhere: Some(Doubt::ManyBranches), ..slice(0.3, none, &[]) };
         assert_eq!(whole(vec![everywhere]), [undecided]);
         // And without a slice.
         assert_eq!(whole(Vec::new()), [(RegionKind::Undecided, Some(Doubt::Unseen))]);
@@ -420,8 +420,8 @@ mod tests {
         let levels = [0.2, 0.4, 0.6, 0.8];
         for other in levels {
             let good = |level: f64| if level == other { &[][..] } else { all };
-            let sights = levels.map(|level| sight(level, good(level), &[])).to_vec();
-            let judged = Judge { window: UNIT, sights, witnesses: Vec::new() }.judge(face.clone());
+            let slices = levels.map(|level| slice(level, good(level), &[])).to_vec();
+            let judged = Judge { window: UNIT, slices, witnesses: Vec::new() }.judge(face.clone());
             assert_eq!(judged.verdict, Err(Doubt::Disagreement), "{other}");
             assert_eq!(judged.trouble, [other]);
         }

@@ -63,13 +63,13 @@ pub fn on_curve(
             if pair.iter().any(GrazingState::is_forgotten) {
                 continue;
             }
-            let segment = Segment::new([&pair[0], &pair[1]], loops, scope);
-            for way in segment.zeros() {
-                let resonance = segment.locate(way, loops).map(numbered);
+            let step = Step::new([&pair[0], &pair[1]], loops, scope);
+            for way in step.zeros() {
+                let resonance = step.locate(way, loops).map(numbered);
                 match resonance {
                     _ if progress.stopped() => break,
                     Ok(resonance) => found.push(resonance),
-                    Err(reason) => lost.push(Unlocated { loops, near: segment.parameters(way), reason }),
+                    Err(reason) => lost.push(Unlocated { loops, near: step.parameters(way), reason }),
                 }
             }
         }
@@ -122,21 +122,21 @@ fn numbered(located: LocatedResonance) -> Resonance {
     Resonance { loops, n, theorem: located.checked(), located }
 }
 
-/// Number of parts of a segment in which bisection begins.
+/// Number of parts of a step in which bisection begins.
 const PARTS: u32 = 8;
 
 /// The grazing curve between two neighbouring points, and a₁₂ or κ_p along it as a cubic with the
 /// right values and slopes at both ends, so that two zeros between the points are seen as well.
-struct Segment<'a> {
+struct Step<'a> {
     ends: [&'a GrazingState; 2],
     values: [f64; 2],
     /// Derivatives with respect to the fraction of the way.
     slopes: [f64; 2],
 }
 
-impl<'a> Segment<'a> {
+impl<'a> Step<'a> {
     fn new(ends: [&'a GrazingState; 2], loops: u32, scope: &Scope) -> Self {
-        // The segment's length in the variables in which the curve was followed.
+        // The step's length in the variables in which the curve was followed.
         let length = (scope.place(&ends[1].orbit) - scope.place(&ends[0].orbit)).norm();
         let at = ends.map(|state| {
             let rate = state.orbit.derivative_along(&state.tangent) * length;
@@ -259,12 +259,12 @@ mod tests {
         let [first, second] = states();
         let value = |w: f64| c * (w - a) * b.map_or(1.0, |b| w - b);
         let slope = |w: f64| c * b.map_or(1.0, |b| 2.0 * w - a - b);
-        let segment = Segment {
+        let step = Step {
             ends: [&first, &second],
             values: [value(0.0), value(1.0)],
             slopes: [slope(0.0), slope(1.0)],
         };
-        segment.zeros()
+        step.zeros()
     }
 
     #[test]
@@ -304,8 +304,8 @@ mod tests {
         let [first, second] = states();
         for end in [0.0, 1e-18, -1e-18] {
             let ends = [&first, &second];
-            let before = Segment { values: [-1.0, end], slopes: [1.0; 2], ..Segment::new(ends, 1, &scope) };
-            let after = Segment { values: [end, 1.0], slopes: [1.0; 2], ..Segment::new(ends, 1, &scope) };
+            let before = Step { values: [-1.0, end], slopes: [1.0; 2], ..Step::new(ends, 1, &scope) };
+            let after = Step { values: [end, 1.0], slopes: [1.0; 2], ..Step::new(ends, 1, &scope) };
             assert_eq!(before.zeros().len() + after.zeros().len(), 1, "{end}");
         }
     }

@@ -151,6 +151,12 @@ pub fn sequences(diagram: &Diagram, rounds: &[u32], generations: u32, progress: 
     found
 }
 
+/// The [`sequences`] of a diagram in which grazing motion goes round up to as often as MPSs have loops.
+pub fn of_diagram(diagram: &Diagram, generations: u32, progress: &dyn Progress) -> Sequences {
+    let rounds: Vec<u32> = (1..=largest(&diagram.scope.loops)).collect();
+    sequences(diagram, &rounds, generations, progress)
+}
+
 /// Whether solutions have no more impacts at a wall, and no more forcing periods, than is asked for, and the curves
 /// are known at which some branch off those of half the time: MPSs, and solutions that hit each of two walls once,
 /// have them if the diagram has their p.

@@ -14,7 +14,7 @@ pub(crate) struct SliceStability {
 }
 
 impl SliceStability {
-    /// An empty sight of a slice, with a doubt if it has more branches than can be distinguished.
+    /// Nothing yet of a slice, with a doubt if it has more branches than can be distinguished.
     pub(crate) fn of(slice: &Slice) -> Self {
         let everywhere = (slice.branches.len() >= MOST_BRANCHES).then_some(Doubt::ManyBranches);
         Self { secondary: slice.secondary, good: Vec::new(), doubts: Vec::new(), everywhere }

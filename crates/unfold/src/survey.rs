@@ -4,33 +4,28 @@
 //! A bifurcation that does not starts a new curve, until none is left unexplained. Solutions
 //! without impacts, p = 0, are surveyed like all others; their grazing is the grazing curve.
 
+mod evidence;
 mod explain;
 mod lines;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint, Event, Pace, Route};
-use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Purpose;
 use grazing_theorems::from_map::GrazingOrbit;
 use rayon::prelude::*;
 
-use self::explain::{bounding, explained, is_wide, start};
+use self::explain::{bounding, explained, start};
 use crate::Scope;
 use crate::close_curves::Vertices;
 use crate::curves::{DiagramCurve, Net, route};
-use crate::faces::Point;
 use crate::grazing::GrazingCurve;
 use crate::levels::{self, Level, Levels};
 use crate::outside;
 use crate::progress::Progress;
-use crate::region::Doubt;
-use crate::segments::{broken_at, segments};
-use crate::slice_stability::SliceStability;
-use crate::slices::{CARRIED_OFF, FREE_STEPS, Slice, Slicer, precise, spread, steps};
-use crate::tolerances::CLEAR;
+use crate::slices::{FREE_STEPS, Slice, Slicer, precise, spread, steps};
 
 /// The slices through the surface of solutions with p loops, in the order of η.
 pub(crate) struct Survey<'a> {
@@ -67,9 +62,6 @@ const COLUMNS: u32 = 8;
 /// longer. They find structures between slices, such as these resonances and folds that no slice
 /// comes near.
 const FREE_COLUMNS: u32 = 2;
-/// Displacements in impact velocity, or in position at phase zero, at which good solutions beside a
-/// curve are looked for: from close to the curve to where they may belong to another face.
-const ASIDE: [f64; 6] = [1e-3, 3e-3, 1e-2, 3e-2, -1e-3, -1e-2];
 /// Tolerance for an orbit on the edge, which lies inside up to rounding.
 const ON_THE_EDGE: f64 = 1e-9;
 
@@ -332,56 +324,6 @@ impl<'a> Survey<'a> {
         }
         all
     }
-
-    /// Places beside the middles of curves at which a solution is stable and admissible: each curve
-    /// gives information about one of its sides.
-    pub(crate) fn witnesses(&self) -> Vec<Point> {
-        let equations = &self.net.equations;
-        let window = self.scope.window;
-        let beside = |curve: &DiagramCurve| {
-            let points = &curve.curve.points;
-            let middle = &points[points.len() / 2];
-            let from = middle.solution.unknowns.clone();
-            ASIDE.iter().find_map(|by| {
-                let mut near = from.clone();
-                near[unknown::VELOCITY] += by;
-                let held = Condition::ImpactVelocity(near[unknown::VELOCITY]);
-                let conditions = [Condition::Secondary(from[unknown::SECONDARY]), held];
-                let found =
-                    locate_within(CARRIED_OFF, equations, conditions, near, &mut middle.times.clone());
-                let solution = equations.solution(&found.ok()?);
-                let [place, curve] = [&solution, &middle.solution].map(|it| window.shares(it.parameters()));
-                let apart = (place[0] - curve[0]).abs() > CLEAR;
-                (apart && solution.attracts() && window.contains(solution.parameters()))
-                    .then(|| solution.parameters())
-            })
-        };
-        let found =
-            self.net.curves.par_iter().filter_map(|curve| Purpose::Witnesses.during(|| beside(curve)));
-        found.collect()
-    }
-
-    /// The sights of all slices.
-    pub(crate) fn sights(&self) -> Vec<SliceStability> {
-        let sight = |slice: &Slice| {
-            let mut sight = SliceStability::of(slice);
-            for branch in &slice.branches {
-                let (segments, borders) = segments(&self.net.equations, branch);
-                for segment in segments.iter().filter(|segment| segment.good) {
-                    sight.see(segment.primary);
-                }
-                let unnamed = borders.iter().filter(|border| border.event.is_none());
-                for border in unnamed.filter(|border| is_wide(border, self.scope.window)) {
-                    sight.doubt(border.primary, Doubt::UnnamedChange);
-                }
-                for (primary, reason) in broken_at(branch) {
-                    sight.doubt(primary, Doubt::Broken(reason));
-                }
-            }
-            sight
-        };
-        self.slices.iter().map(sight).collect()
-    }
 }
 
 /// Number of points behind the wall after which a curve of motion without impacts is followed no further:
@@ -407,9 +349,10 @@ mod tests {
     use crate::non_impacting::periodic_motion;
     use crate::progress::Silent;
     use crate::search;
+    use crate::slice_stability::SliceStability;
     use crate::subharmonic::over_periods;
 
-    /// The sights of p-loop MPSs on slices of a random oscillator to which nothing leads from
+    /// What slices show of p-loop MPSs on slices of a random oscillator to which nothing leads from
     /// grazing, and the number of curves.
     fn seen(
         number: u64,
@@ -428,7 +371,7 @@ mod tests {
         let mut survey = Survey::new(&mut net, &scope, &[], found);
         survey.look_at(levels);
         while survey.goes_on(&Silent) {}
-        (survey.lines().len(), survey.sights())
+        (survey.lines().len(), survey.stabilities())
     }
 
     #[test]
@@ -458,11 +401,11 @@ mod tests {
     fn a_sheet_of_solutions_between_two_points_of_the_edge_is_found() {
         // Two wells: inside this window nothing leads from grazing to these MPSs.
         let window = Window { primary: [0.7, 0.7616], secondary: [0.4483, 0.4917] };
-        let (lines, sights) = seen(2, 1, 1, window, &[0.48, 0.4917]);
+        let (lines, stabilities) = seen(2, 1, 1, window, &[0.48, 0.4917]);
         // The last slice cuts off a corner.
         assert_eq!(lines, 4);
         // Simulation settles on a solution with one loop here.
-        assert!(sights.iter().all(|sight| sight.share([0.73, 0.736]) == 1.0), "{sights:?}");
+        assert!(stabilities.iter().all(|stability| stability.share([0.73, 0.736]) == 1.0), "{stabilities:?}");
     }
 
     #[test]
@@ -493,7 +436,7 @@ mod tests {
             survey.look_at(&[0.418_093]);
             while survey.goes_on(&Silent) {}
             // Simulation settles on a solution with two loops here.
-            survey.sights()[0].share([1.079, 1.08])
+            survey.stabilities()[0].share([1.079, 1.08])
         };
         assert_eq!([seen(&[]), seen(&grazing)], [0.0, 1.0]);
     }
@@ -501,10 +444,10 @@ mod tests {
     #[test]
     fn a_sheet_that_begins_where_motion_of_twice_the_period_grazes_is_found() {
         let window = Window { primary: [0.0, 0.5266], secondary: [0.5533, 0.5834] };
-        let (_, sights) = seen(2, 20_261_122, 2, window, &[0.5533, 0.580_712_5]);
+        let (_, stabilities) = seen(2, 20_261_122, 2, window, &[0.5533, 0.580_712_5]);
         // Simulation settles on solutions with two loops here.
         for place in [[0.2575, 0.269], [0.4135, 0.425]] {
-            assert_eq!(sights[1].share(place), 1.0, "{sights:?}");
+            assert_eq!(stabilities[1].share(place), 1.0, "{stabilities:?}");
         }
     }
 }

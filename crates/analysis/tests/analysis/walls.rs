@@ -57,7 +57,7 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
         let starts = Starts { states: 4, horizon, ..Starts::default() };
         // Places at which motion without impacts, and with one impact at either wall, was seen; solutions; and regions.
         let (mut settled, mut solved, mut held, mut at_both) = ([0; 3], 0, 0, 0);
-        for _ in 0..40 {
+        for _ in 0..60 {
             let place = unfolded.diagram.scope.window.parameters([uniform(), uniform()]);
             let here = unfolded.diagram.oscillator.with_parameters(place);
             let found =
@@ -102,7 +102,7 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
                 }
             }
         }
-        assert!(settled[0] > 2 && solved > 6 && held > 1, "{name}: {settled:?} {solved} {held}");
-        assert!(at_both > 6, "{name}: {at_both}");
+        assert!(settled[0] > 4 && solved > 10 && held > 2, "{name}: {settled:?} {solved} {held}");
+        assert!(at_both > 10, "{name}: {at_both}");
     }
 }

@@ -30,7 +30,7 @@ pub(super) struct FaceVerdict {
 /// The information by which faces are judged.
 pub(super) struct Judge {
     pub(super) window: Window,
-    pub(super) sights: Vec<SliceStability>,
+    pub(super) slices: Vec<SliceStability>,
     /// Points beside curves at which a solution is known to be stable and admissible.
     pub(super) witnesses: Vec<Point>,
 }
@@ -48,13 +48,13 @@ impl Judge {
         let [low, high] = extent(&face);
         let mut votes: Vec<(f64, f64, f64)> = Vec::new();
         let (mut doubt, mut trouble) = (None, Vec::new());
-        for sight in self.sights.iter().filter(|sight| low <= sight.secondary && sight.secondary <= high) {
-            for chord in chords(&face, sight.secondary) {
-                let (length, share) = (self.length(chord), sight.share(chord));
-                votes.push((sight.secondary, length, share));
+        for slice in self.slices.iter().filter(|slice| low <= slice.secondary && slice.secondary <= high) {
+            for chord in chords(&face, slice.secondary) {
+                let (length, share) = (self.length(chord), slice.share(chord));
+                votes.push((slice.secondary, length, share));
                 let within = |primary: f64| chord[0] < primary && primary < chord[1];
-                let known = sight.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
-                let known = known.or(sight.everywhere.as_ref());
+                let known = slice.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
+                let known = known.or(slice.everywhere.as_ref());
                 let lesser = share.min(1.0 - share);
                 let mixed = lesser > PURE && length > SHORT || lesser * length > STRETCH;
                 // Where there are good solutions along the whole chord, doubts about others do not
@@ -62,10 +62,10 @@ impl Judge {
                 let known = known.filter(|_| share < 1.0 - PURE);
                 if let Some(reason) = known {
                     doubt.get_or_insert(reason.clone());
-                    trouble.push(sight.secondary);
+                    trouble.push(slice.secondary);
                 } else if mixed {
                     doubt.get_or_insert(Doubt::Disagreement);
-                    trouble.push(sight.secondary);
+                    trouble.push(slice.secondary);
                 }
             }
         }

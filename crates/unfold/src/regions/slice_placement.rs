@@ -30,10 +30,10 @@ impl Judge {
         let trial = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(TRIALS);
         let trials = (0..TRIALS).map(|k| (trial(k), self.longest(face, trial(k))));
         let (best, length) = trials.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let seen = self.sights.iter().any(|sight| {
-            low < sight.secondary
-                && sight.secondary < high
-                && self.longest(face, sight.secondary) >= LONG_ENOUGH * length
+        let seen = self.slices.iter().any(|slice| {
+            low < slice.secondary
+                && slice.secondary < high
+                && self.longest(face, slice.secondary) >= LONG_ENOUGH * length
         });
         let height = self.window.widths()[1];
         let apart = (0.5 / f64::from(TRIALS) * (high - low)).min(NEAREST * height);
@@ -50,12 +50,12 @@ impl Judge {
         all.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut apart: Vec<f64> = Vec::new();
         for [level, nearest] in all {
-            let known = self.sights.iter().map(|sight| sight.secondary).chain(apart.last().copied());
+            let known = self.slices.iter().map(|slice| slice.secondary).chain(apart.last().copied());
             if known.into_iter().all(|known| (known - level).abs() >= nearest) {
                 apart.push(level);
             }
         }
-        let left = MOST_SLICES.saturating_sub(self.sights.len());
+        let left = MOST_SLICES.saturating_sub(self.slices.len());
         (0..apart.len().min(left)).map(|k| apart[k * apart.len() / apart.len().min(left)]).collect()
     }
 
@@ -67,7 +67,7 @@ impl Judge {
             return Vec::new();
         }
         let [first, last] = self.window.secondary;
-        let mut levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
+        let mut levels: Vec<f64> = self.slices.iter().map(|slice| slice.secondary).collect();
         levels.extend([first, last]);
         levels.sort_by(f64::total_cmp);
         let pairs = levels.windows(2).filter(|pair| trouble.contains(&pair[0]) != trouble.contains(&pair[1]));
@@ -102,7 +102,7 @@ impl Judge {
     pub(super) fn uncrossed(&self, lines: &[Vec<Point>], slices: u32) -> Vec<f64> {
         let extents = lines.iter().map(|line| extent(core::slice::from_ref(line)));
         let crossed = |[low, high]: &[f64; 2]| {
-            let inside = self.sights.iter().filter(|it| *low < it.secondary && it.secondary < *high);
+            let inside = self.slices.iter().filter(|it| *low < it.secondary && it.secondary < *high);
             inside.count() >= slices as usize
         };
         let along = |[low, high]: &[f64; 2]| high - low < ALONG * self.window.widths()[1];
@@ -138,7 +138,7 @@ mod tests {
         let (good, doubts) = (Vec::new(), Vec::new());
         let judge = Judge {
             window,
-            sights: vec![SliceStability { secondary: 1.0, good, doubts, everywhere: None }],
+            slices: vec![SliceStability { secondary: 1.0, good, doubts, everywhere: None }],
             witnesses: Vec::new(),
         };
         let wanted: Vec<f64> = (0..=10_000).map(|k| 2.0 * f64::from(k) / 10_000.0).collect();
@@ -157,7 +157,7 @@ mod tests {
     fn slices_are_laid_beside_loose_ends_and_through_curves_that_none_crosses() {
         let nothing =
             SliceStability { secondary: 0.5, good: Vec::new(), doubts: Vec::new(), everywhere: None };
-        let judge = Judge { window: UNIT, sights: vec![nothing], witnesses: Vec::new() };
+        let judge = Judge { window: UNIT, slices: vec![nothing], witnesses: Vec::new() };
         // From the edge to a loose end, and two curves that meet.
         let line = |points: &[Point]| points.to_vec();
         let loose = line(&[[0.0, 0.3], [0.4, 0.6]]);

@@ -65,7 +65,8 @@ fn closed_form(known: &Linear, [amplitude, omega]: [f64; 2]) -> Vec<(f64, f64, O
     velocities.into_iter().filter(|y| *y > 0.03).map(one).collect()
 }
 
-/// Whether motion from a state comes to one impact at each stop in a forcing period.
+/// Whether motion from a state comes to one impact at each stop in a forcing period. Motion that nearly recurs by then is
+/// followed further.
 fn comes_to_it(known: &Linear, from: State) -> bool {
     let orbit = LongOrbit::follow(&known.oscillator(true), from, Horizon::drifting(48, 16));
     orbit.fate.numbers() == Some((2, 1)) && orbit.fate.second == 1.0
