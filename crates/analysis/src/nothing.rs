@@ -299,10 +299,20 @@ fn has_spring(description: &Description) -> bool {
 }
 
 /// Values of both parameters, as `A = 0.5, omega = 0.8`.
-pub fn place(description: &Description, [primary, secondary]: [f64; 2]) -> String {
-    let (first, second) = (description.primary().name(), description.secondary().name());
-    format!("{first} = {}, {second} = {}", brief(primary, 6), brief(secondary, 6))
+pub fn place(description: &Description, parameters: [f64; 2]) -> String {
+    let value = |(axis, value): (&Axis, f64)| {
+        let [low, high] = axis.range();
+        // What is nothing but rounding beside the range is zero.
+        let value = if value.abs() < ROUNDING * (high - low) { 0.0 } else { value };
+        format!("{} = {}", axis.name(), brief(value, 6))
+    };
+    let [primary, secondary] = parameters;
+    let [first, second] = [(description.primary(), primary), (description.secondary(), secondary)].map(value);
+    format!("{first}, {second}")
 }
+
+/// The share of a range below which a parameter is zero but for rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// The deceleration below which there is none but for rounding, in the oscillator's units.
 const TURNED: f64 = 1e-9;

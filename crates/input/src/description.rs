@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use grazing_model::AnyOscillator;
-use grazing_model::smooth::{Dimensionless, Integrated, Scalar, SmoothOscillator, Stop, Stoppable, Units};
+use grazing_model::smooth::{Dimensionless, Exact, Scalar, SmoothOscillator, Stop, Stoppable, Units};
 
 use crate::error::KeyPlace;
 use crate::expression::Expression;
@@ -42,6 +42,8 @@ pub(crate) struct WallView {
     pub(crate) mass_text: Option<String>,
     pub(crate) formulas: Formulas,
     pub(crate) mass: Option<Expression>,
+    /// The number of harmonics, if motion is known in closed form.
+    pub(crate) harmonics: Option<u32>,
 }
 
 /// The formulas for computation; the force is that seen from the wall.
@@ -172,7 +174,7 @@ impl Description {
     /// computation is cancelled.
     pub fn counted(&self, parameters: [f64; 2], units: &Units, stop: &Stop) -> AnyOscillator {
         let model = Stoppable::new(Dimensionless::new(self.clone(), *units), stop.clone());
-        AnyOscillator::new(Integrated::new(model, parameters))
+        AnyOscillator::new(Exact::new(model, parameters))
     }
 
     /// The name of the oscillator.
@@ -323,6 +325,11 @@ impl SmoothOscillator for Description {
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
         self.seen().formulas.duration.evaluate(&[y, z, mu, eta])
     }
+
+    fn harmonics(&self) -> Option<u32> {
+        self.seen().harmonics
+    }
+
     fn other_stop(&self) -> Option<Self> {
         self.has_two_walls().then(|| Self(self.0.clone(), 1 - self.1))
     }

@@ -26,6 +26,7 @@ mod derivative;
 mod fortran;
 mod function;
 mod graph;
+mod linearity;
 mod parse;
 #[cfg(test)]
 mod tests;

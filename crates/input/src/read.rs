@@ -65,7 +65,8 @@ impl Description {
         constants.filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
         for seen in &mut content.stops {
             let stop = Stop::default();
-            seen.formulas = validate::formulas(&seen.texts, seen.side, &content.file, &stop)?;
+            (seen.formulas, seen.harmonics) =
+                validate::formulas(&seen.texts, seen.side, &content.file, &stop)?;
             seen.mass = validate::mass(seen.mass_text.as_ref(), &content.file, &stop)?;
         }
         content.units = OnceLock::new();

@@ -15,6 +15,8 @@ use crate::names;
 
 /// The largest number of constants; every name in an expression is looked up among them.
 const MOST_CONSTANTS: usize = 1000;
+/// Places, as fractions of the ranges, at which the harmonics of a force are counted.
+const HARMONICS_SEEN_AT: [[f64; 2]; 3] = [[0.381, 0.627], [0.873, 0.214], [0.559, 0.918]];
 
 /// The key of an expression, the variables that it may use besides the parameters, and the number
 /// of these, the first ones, that move while the others are held.
@@ -43,24 +45,30 @@ impl<'a> Known<'a> {
     }
 }
 
-/// The formulas of an oscillator with the parameters and constants of a file.
+/// The formulas of an oscillator with the parameters and constants of a file, and the number of harmonics if
+/// motion is known in closed form.
 pub(crate) fn formulas(
     texts: &Expressions<String>,
     side: Side,
     file: &File,
     stop: &Stop,
-) -> Result<Formulas, ExpressionError> {
+) -> Result<(Formulas, Option<u32>), ExpressionError> {
     let known = Known::new(file, stop);
     let parse = |text, kind| Ok(known.parse(text, kind)?.0);
     let names = ["x", "v", "t", known.0[0], known.0[1]];
     let [force, x, v] = from_the_wall(&texts.force, &texts.wall, side.sign(), &names, &known.1, stop)?;
-    Ok(Formulas {
+    let frequency = parse(&texts.frequency, FREQUENCY)?;
+    let inside = |share: f64, axis: &Axis| axis.range[0] + share * (axis.range[1] - axis.range[0]);
+    let places = HARMONICS_SEEN_AT.map(|[mu, eta]| [inside(mu, &file.primary), inside(eta, &file.secondary)]);
+    let harmonics = force.harmonics(&frequency, &places);
+    let formulas = Formulas {
         force,
         wall: Wall { side, outside: [x, v] },
-        frequency: parse(&texts.frequency, FREQUENCY)?,
+        frequency,
         restitution: parse(&texts.restitution, RESTITUTION)?,
         duration: parse(&texts.duration, DURATION)?,
-    })
+    };
+    Ok((formulas, harmonics))
 }
 
 /// The mass that hits the wall, if the file has one.
@@ -211,9 +219,8 @@ pub(crate) fn description(section: &Section<'_>, stop: &Stop) -> Result<Descript
         let (texts, places) =
             (checked.map(|(text, _)| text.clone()), checked.map(|(_, place)| place.clone()));
         // Each text is correct by itself.
-        let formulas = formulas(&texts, side, &file, stop).map_err(|error| DescriptionError::Value {
-            place: places.wall.clone(),
-            problem: error.problem,
+        let (formulas, harmonics) = formulas(&texts, side, &file, stop).map_err(|error| {
+            DescriptionError::Value { place: places.wall.clone(), problem: error.problem }
         })?;
         let (mass_text, key) = wall.impact[2].clone();
         let mass = mass(mass_text.as_ref(), &file, stop).map_err(|error| {
@@ -225,7 +232,7 @@ pub(crate) fn description(section: &Section<'_>, stop: &Stop) -> Result<Descript
                 return Err(section.forbid(&key, "it must be positive over the ranges".to_owned()).into());
             }
         }
-        stops.push(WallView { texts, places, side, mass_text, formulas, mass });
+        stops.push(WallView { texts, places, side, mass_text, formulas, mass, harmonics });
     }
     if !forced {
         let places = &stops[0].places;

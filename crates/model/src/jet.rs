@@ -158,6 +158,17 @@ pub struct FlowJet {
     pub hessians: [Matrix6<f64>; 2],
 }
 
+impl FlowJet {
+    /// The jet where a motion does not exist.
+    pub(crate) fn nowhere() -> Self {
+        Self {
+            value: Vector2::repeat(f64::NAN),
+            jacobian: Matrix2x6::repeat(f64::NAN),
+            hessians: [Matrix6::repeat(f64::NAN); 2],
+        }
+    }
+}
+
 /// Jet of a function of the two parameters (μ, η), such as the forcing frequency ω(μ, η).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterJet {

@@ -27,6 +27,7 @@
 //! A solution that ceases to exist is NaN from there on, and no event is found beyond.
 
 mod enclosure;
+mod exact;
 mod factors;
 mod flow;
 mod integrated;
@@ -46,6 +47,7 @@ mod variational;
 
 pub use crate::scalar::{Function, Scalar};
 pub use crate::taylor::Taylor;
+pub use exact::{Exact, ExactMotion};
 pub use motion::IntegratedMotion;
 pub use oscillator::{Integrated, SmoothOscillator};
 pub use purpose::Purpose;

@@ -76,6 +76,8 @@ pub enum ArcEnd {
     Lost(String),
 }
 
+/// Fraction of a period: a maximum nearer than this to that at the wall is that one.
+const AT_WALL: f64 = 1e-4;
 /// Steps in z (radians), the fractions of both ranges and the fraction of the way; coefficients,
 /// which are drawn, may bend where the curve does not.
 const STEPS: StepControl =
@@ -281,7 +283,9 @@ impl Path<'_> {
         let orbit = self.orbit(point).ok()?;
         let oscillator = orbit.oscillator();
         let motion = oscillator.motion(State::on_wall(0.0, orbit.phase()));
-        Some(motion.highest_maximum(oscillator.forcing_period()).map_or(-1.0, |maximum| maximum.position))
+        // The maximum at the wall recurs after a period, a little sooner perhaps by rounding.
+        let horizon = (1.0 - AT_WALL) * oscillator.forcing_period();
+        Some(motion.highest_maximum(horizon).map_or(-1.0, |maximum| maximum.position))
     }
 
     /// The quantities in the theorem's hypotheses at a point with a tangent.

@@ -6,6 +6,7 @@
 //! between two points of its edge. Motion without impacts may have branches that are closed, and on
 //! which no motion relaxes that begins at rest.
 
+mod density;
 mod field;
 
 use core::f64::consts::{PI, TAU};
@@ -53,8 +54,8 @@ const SLOW: f64 = 0.05;
 /// distance from rest is.
 pub(crate) const USUAL_VELOCITY: f64 = 2.0;
 
-/// MPSs of some numbers of loops p, each with its p: on every slice at both ends, at one μ between
-/// and at one small impact velocity.
+/// MPSs of some numbers of loops p, each with its p: on slices at both ends, at one μ between and at
+/// one small impact velocity; on every slice unless motion changes little from one to the next.
 pub(crate) fn on_slices(
     oscillator: &AnyOscillator,
     loops: &[u32],
@@ -62,12 +63,13 @@ pub(crate) fn on_slices(
     slices: &[f64],
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let places = slices.iter().enumerate().flat_map(|(k, secondary)| {
+    let places = slices.iter().enumerate().map(|(k, secondary)| {
         let turns = GOLDEN * (k as f64 + 1.0);
         // A sheet cut off by an edge may be met by slices only there.
-        [0.0, 1.0, turns - libm::floor(turns)].map(|share| [window.parameters([share, 0.0])[0], *secondary])
+        let shares = [0.0, 1.0, turns - libm::floor(turns)];
+        (*secondary, shares.map(|share| [window.parameters([share, 0.0])[0], *secondary]).to_vec())
     });
-    on_lattices(oscillator, loops, window, (&places.collect::<Vec<_>>(), slices), progress)
+    on_lattices(oscillator, loops, window, &places.collect::<Vec<_>>(), progress)
 }
 
 /// MPSs on one slice, at `places` values of μ from end to end and at one small impact velocity.
@@ -80,16 +82,19 @@ pub(crate) fn on_slice(
 ) -> Vec<(u32, Unknowns)> {
     let share = |k: u32| f64::from(k) / f64::from(places - 1);
     let places = (0..places).map(|k| [window.parameters([share(k), 0.0])[0], secondary]);
-    on_lattices(oscillator, loops, window, (&places.collect::<Vec<_>>(), &[secondary]), progress)
+    on_lattices(oscillator, loops, window, &[(secondary, places.collect())], progress)
 }
 
-/// The MPSs at some places, at increasing impact velocities, and on some slices at one small impact
-/// velocity.
+/// A value of η, and the places on its slice.
+type OnSlice = (f64, Vec<[f64; 2]>);
+
+/// The MPSs at places on some slices, at increasing impact velocities, and along the slices at one small
+/// impact velocity; on fewer of them where motion changes little from one to the next.
 fn on_lattices(
     oscillator: &AnyOscillator,
     loops: &[u32],
     window: Window,
-    (places, slices): (&[[f64; 2]], &[f64]),
+    slices: &[OnSlice],
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
     let on = |lattices: Vec<Lattice>| -> Vec<(u32, Unknowns)> {
@@ -100,12 +105,20 @@ fn on_lattices(
         });
         found.collect::<Vec<_>>().concat()
     };
-    let slow = places.iter().map(|place| Lattice::slow(*place, USUAL_VELOCITY));
-    let lying = slices.iter().map(|secondary| Lattice::lying(window, *secondary, SLOW * USUAL_VELOCITY));
-    let mut found = on(slow.chain(lying).collect());
+    let needed = |lattice: &dyn Fn([f64; 2]) -> Lattice| {
+        let stride = || density::stride(slices.len() - 1, lattice, (oscillator, loops), window);
+        slices.iter().step_by(Purpose::Lattices.during(stride))
+    };
+    let at = |lattice: &dyn Fn([f64; 2]) -> Lattice| -> Vec<Lattice> {
+        needed(lattice).flat_map(|(_, places)| places).map(|place| lattice(*place)).collect()
+    };
+    let slow = |place: [f64; 2]| Lattice::slow(place, USUAL_VELOCITY);
+    let lying = needed(&slow).filter(|_| window.widths()[0] > 0.0);
+    let lying = lying.map(|(secondary, _)| Lattice::lying(window, *secondary, SLOW * USUAL_VELOCITY));
+    let mut found = on(at(&slow).into_iter().chain(lying).collect());
     let mut from = USUAL_VELOCITY;
     for doubling in 0..MOST_DOUBLINGS {
-        let more = on(places.iter().map(|place| Lattice::fast(*place, from)).collect());
+        let more = on(at(&|place| Lattice::fast(place, from)));
         if !found.is_empty() && more.is_empty() && doubling + 1 >= DOUBLINGS {
             break;
         }
@@ -156,7 +169,7 @@ pub(crate) fn at(
     let place @ [primary, secondary] = oscillator.parameters();
     let window = Window { primary: [primary; 2], secondary: [secondary; 2] };
     let mut found: Vec<(u32, Unknowns)> = Vec::new();
-    for (loops, zero) in on_lattices(oscillator, loops, window, (&[place], &[]), progress) {
+    for (loops, zero) in on_lattices(oscillator, loops, window, &[(secondary, vec![place])], progress) {
         // One on the border of two lattices is found on both.
         let known = found.iter().any(|(other, at)| *other == loops && same(at, &zero));
         if zero[unknown::VELOCITY] > slowest && !known {

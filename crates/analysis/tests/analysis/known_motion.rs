@@ -257,7 +257,7 @@ fn a_ball_is_released_where_the_table_falls_faster_and_chatters_as_parabolas_do(
     let of = example!("bouncing-ball.toml");
     let [g, r] = [1000.0 * constant(&of, "g"), constant(&of, "r")];
     let mut compared = [0; 2];
-    for (a, f) in [(0.45, 25.0), (0.5, 25.0), (0.4, 28.0), (0.55, 22.0), (0.6, 22.5)] {
+    for (a, f) in [(0.45, 25.0), (0.5, 25.0), (0.52, 24.0), (0.4, 28.0), (0.55, 22.0), (0.6, 22.5)] {
         let omega = TAU * f;
         let table = |t: f64| [a * libm::cos(omega * t), -a * omega * libm::sin(omega * t)];
         let release = -libm::acos(g / (a * omega * omega)) / omega;
@@ -298,15 +298,16 @@ fn a_ball_is_released_where_the_table_falls_faster_and_chatters_as_parabolas_do(
                 time += high;
                 speed = table(time)[1] - (left - g * high);
                 left = table(time)[1] + r * speed;
+                if speed < 1e-3 * a * omega {
+                    // Positions of the parabola are differences, which lose their digits, and the search for an impact
+                    // ends with a step of a microsecond, which is no longer far below the flight.
+                    break;
+                }
                 // A release that is 1e-9 late shifts what follows by more, as flights after it are short.
                 let late = next.start + next.duration - origin - time;
                 assert!(late.abs() * f < 1e-7, "{late} of {time}");
                 assert!((impact.velocity - speed).abs() < 1e-6 * a * omega, "{speed}");
                 compared[1] += 1;
-                if speed < 1e-3 * a * omega {
-                    // Positions of the parabola are differences, which lose their digits.
-                    break;
-                }
             }
             assert!(rest.start < flight.start);
         }

@@ -3,6 +3,7 @@
 
 mod evaluation;
 mod examples;
+mod harmonics;
 mod literature;
 mod messages;
 mod part;

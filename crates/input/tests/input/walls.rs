@@ -6,7 +6,7 @@ use grazing_model::smooth::SmoothOscillator;
 
 /// A description with this motion, whose parameters are `B` and `omega` and whose only constants
 /// are `zeta` and `d`.
-fn described(force: &str, wall: &str) -> Result<Description, String> {
+pub(crate) fn described(force: &str, wall: &str) -> Result<Description, String> {
     let text = format!(
         "name = \"Test\"\n[parameters]\nzeta = 0.02\nd = 0.3\n[primary]\nname = \"B\"\nrange = [0.1, 1.5]\n[secondary]\nname = \"omega\"\n\
          range = [0.4, 1.1]\n[motion]\nforce = \"{force}\"\nfrequency = \"omega\"\n{wall}\n[impact]\nrestitution = \"0.9\"\n\

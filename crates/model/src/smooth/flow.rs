@@ -1,4 +1,4 @@
-//! The flow of an integrated oscillator with its derivatives.
+//! The flow of an oscillator with its derivatives.
 
 use nalgebra::{Matrix2x6, Matrix6, Vector2};
 
@@ -28,24 +28,16 @@ impl<M: SmoothOscillator> Integrated<M> {
         from: State,
         duration: f64,
     ) -> FlowJet {
-        let Some(mut jet) = self.integrate::<LENGTH>(motion, from, duration) else {
-            return FlowJet {
-                value: Vector2::repeat(f64::NAN),
-                jacobian: Matrix2x6::repeat(f64::NAN),
-                hessians: [Matrix6::repeat(f64::NAN); 2],
-            };
-        };
-        self.add_phase::<LENGTH>(from, &mut jet);
-        jet
+        let along = self.integrate::<LENGTH>(motion, from, duration);
+        along.map_or_else(FlowJet::nowhere, |along| along.flow_jet(from))
     }
 
-    /// The jet of the flow, with the columns of the phase still empty.
     fn integrate<const LENGTH: usize>(
         &self,
         motion: &IntegratedMotion<M>,
         from: State,
         duration: f64,
-    ) -> Option<FlowJet> {
+    ) -> Option<AlongFlow<LENGTH>> {
         let [mu, eta] = self.parameter_jets::<LENGTH>();
         let start = from.phase / self.frequency;
         // t = z₀/ω + s.
@@ -62,16 +54,48 @@ impl<M: SmoothOscillator> Integrated<M> {
         let [x, y] = jets;
         let acceleration = self.model.force(x, y, origin + Jet::constant(end), mu, eta);
         let [_, jerk] = derivatives(self, [x.value(), y.value()], end);
+
+        let [mu, eta] = self.parameter_jets::<FIRST>();
+        let frequency = self.model.forcing_frequency(mu, eta);
+        let [x, y] = [(variable::POSITION, from.position), (variable::VELOCITY, from.velocity)]
+            .map(|(i, value)| Jet::<FIRST>::variable(i, value));
+        let force = self.model.force(x, y, Jet::constant(from.phase) / frequency, mu, eta);
+        let [x, y] = [from.position, from.velocity].map(Jet::<FIRST>::constant);
+        let [mu, eta] = self.parameters.map(Jet::constant);
+        let time = Jet::variable(variable::PHASE, from.phase).scale(1.0 / self.frequency);
+        let by_phase = self.model.force(x, y, time, mu, eta).first(variable::PHASE);
+        Some(AlongFlow { end: jets, acceleration, jerk, frequency, force, by_phase })
+    }
+}
+
+/// What is known of a flow, with derivatives in position, velocity and parameters.
+pub(super) struct AlongFlow<const LENGTH: usize> {
+    /// Position and velocity at the end.
+    pub(super) end: [Jet<LENGTH>; 2],
+    /// The acceleration at the end, and its derivative along the motion.
+    pub(super) acceleration: Jet<LENGTH>,
+    pub(super) jerk: f64,
+    /// The forcing frequency.
+    pub(super) frequency: Jet<FIRST>,
+    /// The force at the beginning, at a phase that does not vary, and its derivative in the phase.
+    pub(super) force: Jet<FIRST>,
+    pub(super) by_phase: f64,
+}
+
+impl<const LENGTH: usize> AlongFlow<LENGTH> {
+    /// The jet of the flow from a state.
+    pub(super) fn flow_jet(&self, from: State) -> FlowJet {
+        let [x, y] = self.end;
         let mut jet = FlowJet {
             value: Vector2::new(x.value(), y.value()),
             jacobian: Matrix2x6::zeros(),
             hessians: [Matrix6::zeros(); 2],
         };
         // d/ds: the velocity and the acceleration.
-        let slopes = [y, acceleration];
+        let slopes = [y, self.acceleration];
         for i in 0..2 {
             for (column, variable) in INTEGRATED {
-                jet.jacobian[(i, column)] = jets[i].first(variable);
+                jet.jacobian[(i, column)] = self.end[i].first(variable);
             }
             jet.jacobian[(i, flow::DURATION)] = slopes[i].value();
             if LENGTH == FIRST {
@@ -80,14 +104,15 @@ impl<M: SmoothOscillator> Integrated<M> {
             let hessian = &mut jet.hessians[i];
             for (row, a) in INTEGRATED {
                 for (column, b) in INTEGRATED {
-                    hessian[(row, column)] = jets[i].second(a, b);
+                    hessian[(row, column)] = self.end[i].second(a, b);
                 }
                 hessian[(row, flow::DURATION)] = slopes[i].first(a);
                 hessian[(flow::DURATION, row)] = slopes[i].first(a);
             }
-            hessian[(flow::DURATION, flow::DURATION)] = [acceleration.value(), jerk][i];
+            hessian[(flow::DURATION, flow::DURATION)] = [self.acceleration.value(), self.jerk][i];
         }
-        Some(jet)
+        self.add_phase(from, &mut jet);
+        jet
     }
 
     /// Adds the derivatives in the phase z₀ to a jet that has all others.
@@ -95,17 +120,9 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// A motion that begins ε later on its own path and ends ε later arrives at the same point:
     /// with F₀ = F at the start (y₀ ∂x₀ + F₀ ∂y₀ + ω ∂z₀ − ∂s) φ = 0, identically, so that every
     /// derivative of this is zero as well.
-    fn add_phase<const LENGTH: usize>(&self, from: State, jet: &mut FlowJet) {
-        let [mu, eta] = self.parameter_jets::<FIRST>();
-        let omega = self.model.forcing_frequency(mu, eta);
-        let frequency = self.frequency;
-        let [x, y] = [(variable::POSITION, from.position), (variable::VELOCITY, from.velocity)]
-            .map(|(i, value)| Jet::<FIRST>::variable(i, value));
-        let force = self.model.force(x, y, Jet::constant(from.phase) / omega, mu, eta);
-        let [x, y] = [from.position, from.velocity].map(Jet::<FIRST>::constant);
-        let [mu, eta] = self.parameters.map(Jet::constant);
-        let time = Jet::variable(variable::PHASE, from.phase).scale(1.0 / frequency);
-        let by_phase = self.model.force(x, y, time, mu, eta).first(variable::PHASE);
+    fn add_phase(&self, from: State, jet: &mut FlowJet) {
+        let Self { frequency: omega, force, by_phase, .. } = self;
+        let frequency = omega.value();
         let along = |entry: &dyn Fn(usize) -> f64| {
             entry(flow::DURATION)
                 - from.velocity * entry(flow::POSITION)

@@ -10,6 +10,13 @@ use crate::oscillator::ImpactOscillator;
 use crate::state::{OnWall, State};
 
 impl<M: SmoothOscillator> Integrated<M> {
+    /// The force where a motion begins, counted like a step of it.
+    pub(super) fn force_at_start(&self, from: State) -> f64 {
+        let [mu, eta] = self.parameters;
+        let mut force = self.model.force_at(from.phase / self.frequency, mu, eta);
+        force(from.position, from.velocity)
+    }
+
     fn reset_jet<const LENGTH: usize>(&self, OnWall { velocity, phase }: OnWall) -> MapJet<OnWall, OnWall> {
         let [mu, eta] = self.parameter_jets::<LENGTH>();
         let y = Jet::variable(variable::VELOCITY, velocity);

@@ -29,6 +29,13 @@ pub trait SmoothOscillator: Clone + Send + Sync {
     /// Ψ(y, z; μ, η): the phase that passes during an impact, divided by the impact velocity.
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S;
 
+    /// The number of harmonics of the forcing in the force, if this is linear in x and y with coefficients
+    /// that depend on μ and η alone, and otherwise a sum of these harmonics: motion is then known in closed
+    /// form ([`Exact`](super::Exact)).
+    fn harmonics(&self) -> Option<u32> {
+        None
+    }
+
     /// The oscillator seen from its other stop, if it has two: with u = −D − x for x, D being the
     /// distance between the stops, and the force and reset law that hold there.
     fn other_stop(&self) -> Option<Self> {

@@ -150,6 +150,10 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
         self.model.impact_duration(y, z, mu, eta)
     }
 
+    fn harmonics(&self) -> Option<u32> {
+        self.model.harmonics()
+    }
+
     fn other_stop(&self) -> Option<Self> {
         self.model.other_stop().map(|model| self.with(model))
     }

@@ -232,6 +232,10 @@ impl<M: SmoothOscillator> SmoothOscillator for Dimensionless<M> {
         self.velocity(self.model.impact_duration(self.velocity(y), z, mu, eta))
     }
 
+    fn harmonics(&self) -> Option<u32> {
+        self.model.harmonics()
+    }
+
     fn other_stop(&self) -> Option<Self> {
         Some(Self { model: self.model.other_stop()?, ..self.clone() })
     }

@@ -3,6 +3,7 @@
 
 mod closed_form;
 mod escape;
+mod exact;
 mod flow;
 mod maps;
 mod models;
