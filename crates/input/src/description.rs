@@ -165,7 +165,9 @@ impl Description {
     /// The largest number of one-parameter diagrams.
     pub const MOST_DIAGRAMS: usize = MOST_DIAGRAMS;
 
-    /// The oscillator at parameters (μ, η), in the units of the file.
+    /// The oscillator at parameters (μ, η), in the units of the file. Its force, maps and laws are right in any
+    /// units; long motion with impacts is followed in those of [`units`](Self::units), of which it is of the order
+    /// of one ([`counted`](Self::counted)).
     pub fn oscillator(&self, parameters: [f64; 2]) -> AnyOscillator {
         self.counted(parameters, &Units::ONE, &Stop::default())
     }
