@@ -117,7 +117,10 @@ impl<'a> Copy<'a> {
         let before = fs::read_to_string(&record).unwrap_or_default();
         let now: BTreeSet<&str> = files.split_terminator('\0').collect();
         for file in before.split_terminator('\0').filter(|file| !now.contains(file)) {
-            fs::remove_file(copy.root.join(file))?;
+            let gone = copy.root.join(file);
+            fs::remove_file(&gone)?;
+            // Folders that are empty now: one of a crate without its manifest cannot be built.
+            let _ = gone.ancestors().skip(1).map_while(|folder| fs::remove_dir(folder).ok()).count();
         }
         fs::write(record, &files)?;
         for file in now {
