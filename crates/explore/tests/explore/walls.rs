@@ -133,7 +133,9 @@ fn motion_at_a_place_strikes_both_walls_and_its_solution_is_followed() {
     let attractor = &found["attractors"][0];
     assert_eq!([&attractor["impacts"], &attractor["second"]], [&json!(2.0), &json!(1.0)]);
     let solutions = found["solutions"].as_array().expect("a list");
-    let both = solutions.iter().find(|one| [json!([0, 1]), json!([1, 0])].contains(&one["stops"]) && one["reached"] == true);
+    let both = solutions
+        .iter()
+        .find(|one| [json!([0, 1]), json!([1, 0])].contains(&one["stops"]) && one["reached"] == true);
     let both = both.expect("the motion's own solution is among them");
     // Followed on from there, nothing else comes of it.
     let nearby = json!({

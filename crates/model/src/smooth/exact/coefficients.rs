@@ -101,8 +101,8 @@ impl Coefficients {
                 [stiffness - frequency.square().scale(m * m), damping * frequency.scale(m)];
             let modulus = distance.square() + loss.square();
             let whole = k.abs() + m * m * square;
-            // NaN is refused as well.
-            if !(modulus.value() > RESONANT * whole * whole) {
+            let nearness = modulus.value() / (whole * whole);
+            if nearness.is_nan() || nearness <= RESONANT {
                 return None;
             }
             let position =
