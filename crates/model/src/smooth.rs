@@ -5,7 +5,8 @@
 //! it. With plain numbers the integrator chooses its steps; through the same steps go jets in (x₀,
 //! y₀, μ, η), which solves the variational equations of first and second order; derivatives in z₀
 //! follow from the invariance of the flow under its own motion. With intervals it proves bounds on
-//! the derivatives of a motion, which the search for events needs.
+//! the derivatives of a motion, which the search for events needs. Where the force is linear,
+//! [`Exact`] has all of this in closed form.
 //!
 //! The integrator is Gauss's collocation of order 12 with six points. Its steps are long and its
 //! stages solve a system whose matrix is that of the variational equations: jets of any order cost
