@@ -109,16 +109,15 @@ fn on_lattices(
         let stride = || density::stride(slices.len() - 1, lattice, (oscillator, loops), window);
         slices.iter().step_by(Purpose::Lattices.during(stride))
     };
-    let at = |lattice: &dyn Fn([f64; 2]) -> Lattice| -> Vec<Lattice> {
-        needed(lattice).flat_map(|(_, places)| places).map(|place| lattice(*place)).collect()
-    };
     let slow = |place: [f64; 2]| Lattice::slow(place, USUAL_VELOCITY);
-    let lying = needed(&slow).filter(|_| window.widths()[0] > 0.0);
+    let seen = needed(&slow);
+    let lying = seen.clone().filter(|_| window.widths()[0] > 0.0);
     let lying = lying.map(|(secondary, _)| Lattice::lying(window, *secondary, SLOW * USUAL_VELOCITY));
-    let mut found = on(at(&slow).into_iter().chain(lying).collect());
+    let mut found = on(seen.flat_map(|(_, places)| places).map(|place| slow(*place)).chain(lying).collect());
     let mut from = USUAL_VELOCITY;
     for doubling in 0..MOST_DOUBLINGS {
-        let more = on(at(&|place| Lattice::fast(place, from)));
+        let fast = |place: [f64; 2]| Lattice::fast(place, from);
+        let more = on(needed(&fast).flat_map(|(_, places)| places).map(|place| fast(*place)).collect());
         if !found.is_empty() && more.is_empty() && doubling + 1 >= DOUBLINGS {
             break;
         }

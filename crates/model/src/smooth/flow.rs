@@ -32,6 +32,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         along.map_or_else(FlowJet::nowhere, |along| along.flow_jet(from))
     }
 
+    /// The variational equations along the motion, and the force at both ends.
     fn integrate<const LENGTH: usize>(
         &self,
         motion: &IntegratedMotion<M>,

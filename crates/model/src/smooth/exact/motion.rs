@@ -20,40 +20,34 @@ pub enum ExactMotion<M> {
     Integrated(IntegratedMotion<M>),
 }
 
+impl<M: SmoothOscillator> ExactMotion<M> {
+    fn either(&self) -> &dyn Motion {
+        match self {
+            Self::Closed(motion) => motion,
+            Self::Integrated(motion) => motion,
+        }
+    }
+}
+
 impl<M: SmoothOscillator> Motion for ExactMotion<M> {
     fn at(&self, time: f64) -> Kinematics {
-        match self {
-            Self::Closed(motion) => motion.at(time),
-            Self::Integrated(motion) => motion.at(time),
-        }
+        self.either().at(time)
     }
 
     fn first_crossing(&self, horizon: f64) -> Option<Crossing> {
-        match self {
-            Self::Closed(motion) => motion.first_crossing(horizon),
-            Self::Integrated(motion) => motion.first_crossing(horizon),
-        }
+        self.either().first_crossing(horizon)
     }
 
     fn local_maxima(&self, horizon: f64) -> Vec<Maximum> {
-        match self {
-            Self::Closed(motion) => motion.local_maxima(horizon),
-            Self::Integrated(motion) => motion.local_maxima(horizon),
-        }
+        self.either().local_maxima(horizon)
     }
 
     fn highest_maximum(&self, horizon: f64) -> Option<Maximum> {
-        match self {
-            Self::Closed(motion) => motion.highest_maximum(horizon),
-            Self::Integrated(motion) => motion.highest_maximum(horizon),
-        }
+        self.either().highest_maximum(horizon)
     }
 
     fn first_rest(&self, forwards: bool, horizon: f64) -> Option<f64> {
-        match self {
-            Self::Closed(motion) => motion.first_rest(forwards, horizon),
-            Self::Integrated(motion) => motion.first_rest(forwards, horizon),
-        }
+        self.either().first_rest(forwards, horizon)
     }
 }
 
@@ -228,7 +222,7 @@ fn beginning(series: &[f64; TERMS], time: f64) -> Kinematics {
 
 impl BoundedMotion for Formula {
     fn kinematics_at(&self, time: f64) -> Kinematics {
-        let time = if self.reaches(time) || (time == 0.0 && self.reach > 0.0) { time } else { f64::NAN };
+        let time = if self.reaches(time) { time } else { f64::NAN };
         if time.abs() <= self.soon {
             return beginning(&self.series, time);
         }
