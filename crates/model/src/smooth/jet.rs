@@ -89,7 +89,7 @@ impl<const LENGTH: usize, C: Coefficient> Jet<LENGTH, C> {
 
     /// The function whose value and derivatives at this jet's value are given.
     #[inline(always)]
-    fn compose(&self, [value, slope, curvature]: [C; 3]) -> Self {
+    pub(super) fn compose(&self, [value, slope, curvature]: [C; 3]) -> Self {
         let p = &self.0;
         let mut jet = [value; LENGTH];
         for i in 1..LENGTH {

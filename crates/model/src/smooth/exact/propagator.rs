@@ -1,6 +1,6 @@
 //! The motion of ẍ = −k x − c ẋ after an impulse.
 
-use super::super::jet::{Jet, SECOND};
+use super::super::jet::Jet;
 use crate::scalar::{Function, Scalar};
 
 /// Discriminants times the square of the time below which power series are used: closed forms of the derivatives
@@ -20,7 +20,7 @@ impl<const LENGTH: usize> Propagator<LENGTH> {
         let rate = damping.scale(0.5);
         let discriminant = stiffness - rate.square();
         let [cosine, sine] = decaying(rate.value(), discriminant.value(), time)
-            .map(|derivatives| composed(&discriminant, derivatives));
+            .map(|derivatives| discriminant.compose(derivatives));
         // The value of the exponential is in the functions of the discriminant.
         let decay = (Jet::constant(rate.value()) - rate).scale(time).apply(Function::Exp);
         Self { cosine: decay * cosine, sine: decay * sine }
@@ -61,13 +61,6 @@ fn decaying(rate: f64, discriminant: f64, time: f64) -> [[f64; 3]; 2] {
         by_second = (-0.5 * square * sine - 3.0 * by_first) / (2.0 * discriminant);
     }
     [[cosine, -0.5 * time * sine, -0.5 * time * by_first], [sine, by_first, by_second]]
-}
-
-/// The function of a jet whose value and derivatives at the jet's value are given.
-fn composed<const LENGTH: usize>(jet: &Jet<LENGTH>, [value, slope, curvature]: [f64; 3]) -> Jet<LENGTH> {
-    let step = *jet - Jet::constant(jet.value());
-    let bend = if LENGTH == SECOND { step.square().scale(0.5 * curvature) } else { Jet::constant(0.0) };
-    Jet::constant(value).plus(slope, &step) + bend
 }
 
 #[cfg(test)]
