@@ -13,10 +13,10 @@ use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::smooth::Purpose;
 use nalgebra::Vector2;
-use rayon::prelude::*;
 
 use crate::curves::DiagramCurve;
 use crate::faces::Point;
+use crate::parallel;
 
 /// Curves closer to each other than this, as a fraction of the ranges, run alongside; chords
 /// deviate from them by less.
@@ -80,7 +80,7 @@ pub(crate) fn polylines(
     let polyline = |((curve, places), located): ((&&DiagramCurve, Vec<Place>), &mut Located)| {
         refined(equations, curve, places, window, located)
     };
-    curves.par_iter().zip(places).zip(located).map(polyline).collect()
+    parallel::map(curves.iter().zip(places).zip(located), polyline)
 }
 
 /// The fraction of the interval between two numbers at which a value lies, if it lies inside.

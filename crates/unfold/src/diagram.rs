@@ -7,13 +7,13 @@ use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator};
-use rayon::prelude::*;
 
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
 use crate::curves::{Net, drawn, within};
 use crate::grazing::GrazingCurve;
 use crate::levels::{Level, LevelCurve, Levels};
 use crate::non_impacting::{self, NonImpacting};
+use crate::parallel;
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::{self, Resonance, Unlocated};
@@ -371,26 +371,24 @@ impl Diagram {
         let points: Vec<_> =
             self.resonances.iter().enumerate().filter(|(_, found)| found.theorem.is_ok()).collect();
         progress.begin(CURVES, points.len() as u64);
-        let followed = points
-            .into_par_iter()
-            .filter_map(|(index, resonance)| {
-                let point = resonance.theorem.as_ref().ok()?;
-                let none = |missing| Followed { resonance: index, curves: Vec::new(), missing };
-                let followed = match resonance.is_forgotten(resonance.loops) {
-                    true => none(Vec::new()),
-                    false => match Purpose::Curves.during(|| point.unfold(&route)) {
-                        Ok(unfolded) => listed(index, resonance, unfolded),
-                        Err(reason) => none(vec![reason]),
-                    },
-                };
-                if progress.stopped() {
-                    return None;
-                }
-                finished(index, &followed.curves);
-                progress.step(CURVES);
-                Some(followed)
-            })
-            .collect();
+        let followed = parallel::map(points, |(index, resonance)| {
+            let point = resonance.theorem.as_ref().ok()?;
+            let none = |missing| Followed { resonance: index, curves: Vec::new(), missing };
+            let followed = match resonance.is_forgotten(resonance.loops) {
+                true => none(Vec::new()),
+                false => match Purpose::Curves.during(|| point.unfold(&route)) {
+                    Ok(unfolded) => listed(index, resonance, unfolded),
+                    Err(reason) => none(vec![reason]),
+                },
+            };
+            if progress.stopped() {
+                return None;
+            }
+            finished(index, &followed.curves);
+            progress.step(CURVES);
+            Some(followed)
+        });
+        let followed = followed.into_iter().flatten().collect();
         progress.end(CURVES);
         followed
     }

@@ -9,12 +9,12 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Curve;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::smooth::Purpose;
-use rayon::prelude::*;
 
 use crate::Scope;
 use crate::curves::{DiagramCurve, drawn};
 use crate::diagram::Diagram;
 use crate::grazing::GrazingCurve;
+use crate::parallel;
 use crate::progress::Progress;
 use crate::resonances::{Resonance, Unlocated, distinct, on_curve};
 
@@ -97,14 +97,11 @@ const STAGE: &str = "resonances of motion with impacts";
 /// and by q, with the curves that leave them.
 pub fn later(diagram: &Diagram, bases: &[Base], scope: &Scope, progress: &dyn Progress) -> Later {
     progress.begin(STAGE, bases.len() as u64);
-    let found: Vec<Later> = bases
-        .par_iter()
-        .map(|base| {
-            let found = Purpose::Curves.during(|| on_base(diagram, base, scope, progress));
-            progress.step(STAGE);
-            found
-        })
-        .collect();
+    let found = parallel::map(bases, |base| {
+        let found = Purpose::Curves.during(|| on_base(diagram, base, scope, progress));
+        progress.step(STAGE);
+        found
+    });
     progress.end(STAGE);
     let mut all = Later::default();
     for Later { resonances, unlocated } in found {

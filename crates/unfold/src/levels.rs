@@ -13,9 +13,9 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, LocateFailure, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
-use rayon::prelude::*;
 
 use crate::curves::route;
+use crate::parallel;
 use crate::progress::Progress;
 use crate::slices::{CARRIED_OFF, Slicer};
 
@@ -186,7 +186,7 @@ pub(crate) fn find(
 ) -> Levels {
     let (equations, property) = (&slicer.equations, level.property);
     let crossings: Vec<Vec<Crossing<'_>>> =
-        sources.par_iter().map(|source| crossed(equations, source, property)).collect();
+        parallel::map(sources, |source| crossed(equations, source, property));
     let mut found = Levels::default();
     let loops = equations.loops();
     for Crossing { along, condition, near, length, times } in crossings.into_iter().flatten() {

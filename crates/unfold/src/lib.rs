@@ -86,6 +86,7 @@ pub mod non_impacting;
 pub mod one_parameter;
 mod origin;
 mod outside;
+mod parallel;
 pub mod place;
 pub mod progress;
 mod region;

@@ -13,7 +13,6 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::mps::LoopEquations;
 use grazing_model::AnyOscillator;
-use rayon::prelude::*;
 
 pub use relaxation::{Height, PeriodicMotion, periodic_motion};
 pub(crate) use relaxation::{is_whole, motion};
@@ -22,6 +21,7 @@ pub use symmetry::equations;
 
 use crate::curves::{DiagramCurve, Net};
 use crate::grazing::GrazingCurve;
+use crate::parallel;
 use crate::progress::Progress;
 use crate::regions::{self, Region, crossed, decided};
 use crate::slices::Slice;
@@ -74,14 +74,11 @@ fn on_slices(
     between: &[f64],
     progress: &dyn Progress,
 ) -> Result<NonImpacting, UnfoldError> {
-    let motions: Vec<PeriodicMotion> = relaxed
-        .par_iter()
-        .map(|secondary| {
-            let motion = periodic_motion(oscillator, scope, *secondary);
-            progress.step(STAGE);
-            motion
-        })
-        .collect();
+    let motions = parallel::map(relaxed, |secondary| {
+        let motion = periodic_motion(oscillator, scope, *secondary);
+        progress.step(STAGE);
+        motion
+    });
     let equations = equations(oscillator, scope.window);
     let mut net = Net::new(equations.clone());
     let mut survey = Survey::new(&mut net, scope, &[], Vec::new());

@@ -22,13 +22,13 @@ use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::Frame;
 use grazing_results::branches::{AttractorPoint, BranchBifurcation, DiagramRow, OneParameter};
 use grazing_results::readings::Ordinate;
-use rayon::prelude::*;
 
 pub use branches::Branch;
 pub use oriented::oriented;
 pub use portraits::Subject;
 
 use crate::curves::DiagramCurve;
+use crate::parallel;
 use crate::progress::Progress;
 use crate::segments::broken_at;
 use crate::settled::{Recurring, Through};
@@ -187,7 +187,7 @@ impl Cut {
     fn oriented(&self) -> OneParameter {
         let Line { diagram, primary_is_fixed, at, range } = self.line;
         let (mut strands, mut bifurcations) = (Vec::<Strand>::new(), Vec::<BranchBifurcation>::new());
-        let found: Vec<_> = self.branches.par_iter().map(Branch::shown).collect();
+        let found: Vec<_> = parallel::map(&self.branches, Branch::shown);
         for (own_strands, own_bifurcations) in found {
             strands.extend(own_strands);
             bifurcations.extend(own_bifurcations);
@@ -338,7 +338,7 @@ fn mps_branches(
         progress.step(BRANCHES);
         (equations, slice)
     };
-    let begun: Vec<_> = scope.loops.par_iter().map(begun).collect();
+    let begun: Vec<_> = parallel::map(&scope.loops, begun);
     let found = search::on_slice(oscillator, &scope.loops, scope.window, (secondary, PLACES), progress);
     let completed = |(equations, slice): (LoopEquations, Slice)| {
         let mut slice = Slice::new(secondary, slice.branches);
@@ -348,5 +348,5 @@ fn mps_branches(
         let branches = slicer.distinct(slice).into_iter();
         branches.map(|curve| Branch { equations: equations.clone(), curve }).collect::<Vec<_>>()
     };
-    begun.into_par_iter().map(completed).collect::<Vec<_>>().concat()
+    parallel::map(begun, completed).concat()
 }

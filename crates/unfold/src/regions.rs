@@ -12,7 +12,6 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Purpose;
-use rayon::prelude::*;
 
 use crate::Scope;
 use crate::curves::{DiagramCurve, Net};
@@ -20,6 +19,7 @@ use crate::faces::{self, Face, Point};
 use crate::grazing::GrazingCurve;
 use crate::levels::{Level, Levels};
 use crate::outside;
+use crate::parallel;
 use crate::progress::Progress;
 use crate::search;
 use crate::survey::Survey;
@@ -67,7 +67,7 @@ pub(crate) fn of_mps(
     let found = search::on_slices(oscillator, &scope.loops, window, &levels, progress);
     let about = outside::about(scope);
     let beyond = Purpose::Curves.during(|| outside::followed(grazing, &about));
-    let regions = nets.par_iter_mut().map(|net| {
+    let regions = parallel::map(nets, |net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| solution.clone()).collect();
         let mut survey = Survey::new(net, scope, grazing, found);
@@ -77,7 +77,6 @@ pub(crate) fn of_mps(
         progress.step(STAGE);
         (regions, if progress.stopped() { Levels::default() } else { levels })
     });
-    let regions = regions.collect();
     progress.end(STAGE);
     regions
 }

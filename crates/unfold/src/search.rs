@@ -19,11 +19,11 @@ use grazing_model::motion::Motion;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
-use rayon::prelude::*;
 
 use self::field::{Field, Missed, SIZE};
 use crate::Scope;
 use crate::grazing::HighestPoint;
+use crate::parallel;
 use crate::progress::Progress;
 use crate::tolerances::BETWEEN_ZEROS;
 
@@ -98,12 +98,12 @@ fn on_lattices(
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
     let on = |lattices: Vec<Lattice>| -> Vec<(u32, Unknowns)> {
-        let found = lattices.par_iter().map(|lattice| match progress.stopped() {
+        let found = parallel::map(lattices, |lattice| match progress.stopped() {
             true => Vec::new(),
             // Virtual impacts, which leave the wall, do not count.
             false => Purpose::Lattices.during(|| lattice.zeros(oscillator, loops, 0.0)),
         });
-        found.collect::<Vec<_>>().concat()
+        found.concat()
     };
     let needed = |lattice: &dyn Fn([f64; 2]) -> Lattice| {
         let stride = || density::stride(slices.len() - 1, lattice, (oscillator, loops), window);
@@ -144,7 +144,7 @@ pub(crate) fn grazing(
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Vec<HighestPoint> {
-    let found = (0..=PARTS).into_par_iter().map(|k| {
+    let found = parallel::map(0..=PARTS, |k| {
         let [primary, low] = scope.window.parameters([f64::from(k) / f64::from(PARTS), 0.0]);
         let start = Unknowns::new(0.0, 0.0, primary, low);
         let length = scope.window.widths()[1];
@@ -154,7 +154,7 @@ pub(crate) fn grazing(
             false => Purpose::Lattices.during(|| lattice.at_rest(oscillator, scope, 0.0)),
         }
     });
-    found.collect::<Vec<_>>().concat()
+    found.concat()
 }
 
 /// The MPSs of an oscillator that are faster than `slowest`, as far as lattices of impacts separate them;

@@ -18,13 +18,13 @@ use grazing_continuation::mps::{LoopEquations, Unknowns};
 use grazing_model::smooth::Purpose;
 use grazing_model::{ImpactOscillator, State};
 use rand_pcg::Pcg64;
-use rayon::prelude::*;
 
 use crate::Scope;
 use crate::curves::{CodimensionTwoPoint, DiagramCurve, Net, drawn};
 use crate::diagram::Diagram;
 use crate::generations::{Base, Later, LaterResonance, bases, later};
 use crate::long_time::{Horizon, LongOrbit, Patience, random_start};
+use crate::parallel;
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::Unlocated;
@@ -204,13 +204,12 @@ fn decided(
     progress.begin(REGIONS, all.len() as u64);
     let mut found: Vec<Sequence> = Vec::new();
     for same in all.chunk_by(|a, b| a.0.0 == b.0.0) {
-        let more = same.par_iter().map(|&(numbers, leads)| {
+        let more = parallel::map(same, |&(numbers, leads)| {
             let halved = halved(diagram, &found, numbers);
             let solutions = of_numbers(diagram, numbers, leads, levels, halved, progress);
             progress.step(REGIONS);
             solutions
         });
-        let more: Vec<Sequence> = more.collect();
         found.extend(more);
     }
     progress.end(REGIONS);
@@ -273,7 +272,7 @@ fn simulated(
         progress.step(SIMULATED);
         found
     };
-    let found: Vec<_> = levels.par_iter().flat_map_iter(row).collect();
+    let found = parallel::map(levels, row).concat();
     progress.end(SIMULATED);
     found
 }

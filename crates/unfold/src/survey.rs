@@ -15,7 +15,6 @@ use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters,
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Purpose;
 use grazing_theorems::from_map::GrazingOrbit;
-use rayon::prelude::*;
 
 use self::explain::{bounding, explained, start};
 use crate::Scope;
@@ -24,6 +23,7 @@ use crate::curves::{DiagramCurve, Net, route};
 use crate::grazing::GrazingCurve;
 use crate::levels::{self, Level, Levels};
 use crate::outside;
+use crate::parallel;
 use crate::progress::Progress;
 use crate::slices::{FREE_STEPS, Slice, Slicer, precise, spread, steps};
 
@@ -152,7 +152,7 @@ impl<'a> Survey<'a> {
             self.slicer.beginning_at_doublings(&mut slice, self.halved);
             slice
         };
-        let begun: Vec<Slice> = levels.par_iter().map(begun).collect();
+        let begun: Vec<Slice> = parallel::map(levels, begun);
         self.slices.extend(begun);
     }
 
@@ -172,7 +172,7 @@ impl<'a> Survey<'a> {
             // Without impacts a column is met by the slices on which it was started.
             has_impacts && slicer.through_columns(slice, columns) || by_curves
         };
-        let fresh: Vec<bool> = self.slices.par_iter_mut().map(through).collect();
+        let fresh = parallel::map(&mut self.slices, through);
         if progress.stopped() {
             return false;
         }
@@ -185,7 +185,7 @@ impl<'a> Survey<'a> {
             self.follow_edges(&found, progress);
             // Branches through these solutions are to be followed across as well.
             self.crossed = false;
-            self.slices.par_iter_mut().for_each(|slice| {
+            parallel::map(&mut self.slices, |slice| {
                 let secondary = slice.secondary;
                 let here = found.iter().filter(|solution| solution[unknown::SECONDARY] == secondary);
                 self.slicer.through(slice, here.cloned());
@@ -219,11 +219,7 @@ impl<'a> Survey<'a> {
         self.crossed = true;
         let [left, right] = self.scope.window.primary;
         let places = (0..=parts).map(|k| left + (right - left) * f64::from(k) / f64::from(parts));
-        let places: Vec<f64> = places.collect();
-        let found: Vec<Vec<Curve>> = places
-            .par_iter()
-            .map(|primary| self.slicer.across(&self.slices, *primary, &self.columns))
-            .collect();
+        let found = parallel::map(places, |primary| self.slicer.across(&self.slices, primary, &self.columns));
         found.into_iter().flatten().for_each(|column| self.add_column(column, progress));
     }
 

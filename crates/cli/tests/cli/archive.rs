@@ -5,7 +5,7 @@ use std::fs;
 use std::io::Read;
 use std::path::Path;
 
-use crate::program::{digest, empty_folder, grazing, narrow_duffing, repository};
+use crate::program::{digest, empty_folder, grazing, narrow_linear, repository};
 use serde_json::Value;
 
 /// The files of a tar by path.
@@ -81,7 +81,7 @@ fn the_papers_archive_has_everything_and_the_same_bytes_each_time() {
 #[test]
 fn results_of_ones_own_are_packed_if_they_are_whole() {
     let folder = empty_folder();
-    fs::write(folder.path().join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    fs::write(folder.path().join("my.toml"), narrow_linear()).expect("the folder is ours");
     assert_eq!(grazing(folder.path(), &["unfold", "my.toml"]).code, Some(0));
     let command = ["archive", "--date", "2027-01-31", "--output", "my.tar", "unfolded/my", "my.toml"];
     let made = grazing(folder.path(), &command);

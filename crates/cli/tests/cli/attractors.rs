@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::family::{VARY, behind_digest, files, forged, is_of_one_run};
-use crate::program::{DEFAULT, grazing, listing, narrow_duffing, project, snapshots};
+use crate::program::{DEFAULT, grazing, listing, narrow_linear, project, snapshots};
 
 const SIZE: [&str; 3] = ["attractors", "--size", "23x14"];
 
@@ -76,7 +76,7 @@ fn parts_of_a_map_are_merged_to_the_same_bytes_that_one_run_writes_and_those_of_
     refuse("more rows than there are", &forge("out/e.toml", "rows=14", "rows=20000"));
     refuse("not damped", &forge("out/f.toml", "zeta = 0.02", "zeta = 2.0"));
     refuse("another program", &forge("out/g.toml", program, "another program"));
-    fs::write(folder.join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    fs::write(folder.join("my.toml"), narrow_linear()).expect("the folder is ours");
     let family = [&["unfold", "my.toml"], &VARY[..], &["--part", "1/4", "--output", "out"]].concat();
     assert_eq!(grazing(folder, &family).code, Some(0));
     refuse("a part of a family", &[first[1].clone(), "out/parts/1-of-4.toml".to_owned()]);

@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use crate::program::{digest, empty_folder, grazing, listing, narrow_duffing, snapshots};
+use crate::program::{digest, empty_folder, grazing, listing, narrow_duffing, narrow_linear, snapshots};
 use tempfile::TempDir;
 
 fn folder() -> TempDir {
     let folder = empty_folder();
-    fs::write(folder.path().join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    fs::write(folder.path().join("my.toml"), narrow_linear()).expect("the folder is ours");
     folder
 }
 
@@ -158,9 +158,9 @@ fn a_family_that_is_cut_off_replaces_no_results_and_files_of_another_run_are_tol
     let whole = files(&results);
     assert!(is_of_one_run(&results));
     // A number of steps at which one member of two is finished.
-    let mut limit = 200_000.0;
+    let mut limit = 2_000.0;
     let cut = loop {
-        limit *= 1.6;
+        limit *= 1.3;
         let cut = run(&["--step-limit", &format!("{limit}")]);
         assert_eq!(cut.code, Some(3), "{}", cut.messages);
         if results.join("unfinished").exists() {

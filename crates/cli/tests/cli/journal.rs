@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::program::{
-    DEFAULT, edited, edition, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters,
+    DEFAULT, edited, edition, empty_folder, grazing, listing, narrow_linear, project, quick_parameters,
     repository,
 };
 use grazing_cli::codecheck;
@@ -170,7 +170,7 @@ fn latex_sets_all_figures_and_tables_at_every_width_without_an_overfull_box() {
 
 #[test]
 fn latex_sets_what_is_unfolded_whatever_it_is_called_and_counted_in() {
-    let duffing = edited(&narrow_duffing(), "", "name", "name = 'R&D: 50 % of a_b {雪} ~ $x$ \\ #1^2'");
+    let duffing = edited(&narrow_linear(), "", "name", "name = 'R&D: 50 % of a_b {雪} ~ $x$ \\ #1^2'");
     let folder = project("");
     let duffing = edited(&duffing, "[primary]", "range", "range = [0.2, 0.4]\nunit = 'µN^2/m %'");
     let units = "[units]\nlength = 'mm'\ntime = 's'\n";

@@ -18,7 +18,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::family::{VARY, behind_digest, forged};
-use crate::program::{empty_folder, end, grazing, narrow_duffing, repository};
+use crate::program::{empty_folder, end, grazing, narrow_linear, repository};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
@@ -366,7 +366,7 @@ fn every_file_leads_to_an_end_with_a_reason() {
 
 /// The texts of the parts of a family, from a file without comments, which mutations would remove.
 fn parts<const COUNT: usize>(folder: &Path) -> [String; COUNT] {
-    let text = narrow_duffing();
+    let text = narrow_linear();
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     fs::write(folder.join("my.toml"), lines.collect::<Vec<_>>().join("\n")).expect("the folder is ours");
     std::array::from_fn(|index| {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::program::{DEFAULT, empty_folder, end, grazing, listing, narrow_duffing, project, started};
+use crate::program::{DEFAULT, empty_folder, end, grazing, listing, narrow_linear, project, started};
 
 /// A command that takes no time.
 const QUICK: [&str; 3] = ["reproduce", "--only", "fig04"];
@@ -77,7 +77,7 @@ fn pipes_sockets_devices_and_links_to_nothing_are_not_replaced() {
 fn a_file_named_with_dots_does_not_lead_out_of_the_folder() {
     let folder = empty_folder();
     for (name, made) in [("...toml", "oscillator"), (".toml", "toml")] {
-        let text = narrow_duffing().replace("range = [0.2, 0.4]", "range = [5.0, 5.1]");
+        let text = narrow_linear().replace("range = [0.2, 0.4]", "range = [5.0, 5.1]");
         fs::write(folder.path().join(name), text).expect("the folder is ours");
         fs::create_dir_all(folder.path().join("unfolded").join(made)).expect("the folder is ours");
         // An obstacle shows which folder is meant, before anything is computed.
@@ -167,7 +167,7 @@ fn control_characters_and_direction_marks_reach_no_terminal() {
 #[test]
 fn a_name_with_direction_marks_is_shown_as_escapes_on_page_and_figures() {
     let folder = empty_folder();
-    let text = narrow_duffing().replacen("name = \"", "name = \"\\u202E\\u001B[31m<b>", 1);
+    let text = narrow_linear().replacen("name = \"", "name = \"\\u202E\\u001B[31m<b>", 1);
     fs::write(folder.path().join("o.toml"), text).expect("the folder is ours");
     let outcome = grazing(folder.path(), &["unfold", "o.toml", "--output", "out"]);
     assert!(outcome.code.is_some_and(|code| code != 2), "{}", outcome.messages);
@@ -192,7 +192,7 @@ fn too_long() -> String {
 #[test]
 fn a_name_that_is_too_long_is_bad_input_and_is_told_in_few_words() {
     let folder = project(DEFAULT);
-    fs::write(folder.path().join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    fs::write(folder.path().join("my.toml"), narrow_linear()).expect("the folder is ours");
     let before = listing(folder.path());
     let (name, below) = (too_long(), format!("new/{}/folder", too_long()));
     let path = "a/".repeat(3000);

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::browser::{Spot, assert_all_pass, checked, cut, lost, sheets_of_paper};
 use crate::program::{
-    coarse_parameters, empty_folder, grazing, listing, narrow_duffing, project, quick_parameters, repository,
+    coarse_parameters, empty_folder, grazing, listing, narrow_linear, project, quick_parameters, repository,
 };
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
@@ -71,7 +71,7 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     // not shown again.
     fs::create_dir(folder.path().join("examples")).expect("the folder is ours");
     for file in ["examples/duffing.toml", "examples/paper.toml", "duffing.toml"] {
-        fs::write(folder.path().join(file), narrow_duffing()).expect("the folder is ours");
+        fs::write(folder.path().join(file), narrow_linear()).expect("the folder is ours");
     }
     let arguments = ["report", "--output", "pages/report.html", "--oscillator", "duffing.toml"];
     let made = grazing(folder.path(), &arguments);
@@ -274,7 +274,7 @@ fn a_place_that_cannot_be_written_is_found_before_anything_is_computed() {
 #[test]
 fn an_oscillator_that_is_not_right_is_found_before_anything_is_computed() {
     let folder = project(&quick_parameters());
-    let wrong = narrow_duffing().replace("kappa*x^3", "kapa*x^3");
+    let wrong = narrow_linear().replace("kappa)*x", "kapa)*x");
     fs::write(folder.path().join("wrong.toml"), wrong).expect("the folder is ours");
     for (file, told) in [("wrong.toml", "kapa"), ("missing.toml", "missing.toml")] {
         let outcome = grazing(folder.path(), &["report", "--oscillator", file]);

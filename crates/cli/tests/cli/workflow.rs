@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::SystemTime;
 
-use crate::program::{DEFAULT, empty_folder, grazing, narrow_duffing, project, repository};
+use crate::program::{DEFAULT, empty_folder, grazing, narrow_linear, project, repository};
 
 /// Runs the workflow in a folder with these keys; `None` without Snakemake.
 fn snakemake(folder: &Path, keys: &[&str]) -> Option<()> {
@@ -42,7 +42,7 @@ fn changed(path: &Path) -> SystemTime {
 fn the_workflow_makes_what_one_run_makes_and_resumes_with_what_is_missing() {
     let folder = empty_folder();
     let folder = folder.path();
-    fs::write(folder.join("my.toml"), narrow_duffing()).expect("the folder is ours");
+    fs::write(folder.join("my.toml"), narrow_linear()).expect("the folder is ours");
     let keys = ["oscillator=my.toml", "vary=[\"kappa=0.08:0.12:4\"]"];
     if snakemake(folder, &keys).is_none() {
         return;

@@ -6,12 +6,12 @@ use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::branches::{PortraitKind, PortraitPoint};
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
-use rayon::prelude::*;
 
 use super::branches::Branch;
 use crate::long_time::{
     Horizon, LongOrbit, MotionKind, Patience, Strike, random_start, sampled, sampled_flight, sampled_solution,
 };
+use crate::parallel;
 use crate::progress::Progress;
 use crate::tolerances::{BETWEEN_ORBITS, BETWEEN_WANDERING_ORBITS};
 
@@ -71,11 +71,9 @@ fn portrait(
 impl Scene<'_> {
     /// The portraits of all subjects, grouped by subject.
     pub(super) fn of_all(&self, subjects: &[Subject], progress: &dyn Progress) -> Vec<Portrait> {
-        let numbered: Vec<(u128, &Subject)> = (0..).zip(subjects).collect();
-        let found = numbered
-            .into_par_iter()
-            .map(|(place, subject)| if progress.stopped() { Vec::new() } else { self.of(place, subject) });
-        found.collect::<Vec<_>>().concat()
+        let portraits =
+            |(place, subject)| if progress.stopped() { Vec::new() } else { self.of(place, subject) };
+        parallel::map((0..).zip(subjects), portraits).concat()
     }
 
     /// The portraits of a subject with a given index; empty if the orbit does not exist or rests

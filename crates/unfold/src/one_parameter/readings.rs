@@ -8,11 +8,11 @@ use grazing_results::Stability;
 use grazing_results::branches::Orbits;
 use grazing_results::readings::{MotionReading, Reading, Sweep};
 use nalgebra::Vector2;
-use rayon::prelude::*;
 
 use super::branches::{Branch, within};
 use super::{Cut, Sampling};
 use crate::long_time::{LongOrbit, MotionKind, Strike};
+use crate::parallel;
 use crate::progress::Progress;
 use crate::segments::{Vertex, vertices};
 
@@ -107,7 +107,7 @@ impl Cut {
     /// The readings of the solutions on the branches. Those of the impacts of one solution are in strands
     /// that follow each other and are equally long.
     pub fn readings(&self) -> Vec<Reading> {
-        let found: Vec<Vec<Vec<Reading>>> = self.branches.par_iter().map(Branch::readings).collect();
+        let found: Vec<Vec<Vec<Reading>>> = parallel::map(&self.branches, Branch::readings);
         let pieces =
             found.iter().flat_map(|branch| within(branch, |impacts| impacts[0].primary, self.line.range));
         let strands = pieces.flat_map(|piece| {
@@ -153,7 +153,7 @@ impl Cut {
         };
         let ways = [Sweep::Up, Sweep::Down];
         let steps = u64::from(sampling.values) * ways.len() as u64;
-        let swept: Vec<_> = progress.during(SWEEPS, steps, || ways.into_par_iter().map(sweep).collect());
+        let swept: Vec<_> = progress.during(SWEEPS, steps, || parallel::map(ways, sweep));
         let (rows, orbits): (Vec<_>, Vec<_>) = swept.into_iter().unzip();
         (self.in_place(rows.concat()), orbits.into_iter().fold(Orbits::default(), Orbits::plus))
     }

@@ -5,12 +5,12 @@ use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::branches::Orbits;
 use grazing_results::readings::{MotionReading, Sweep};
 use rand_pcg::Pcg64;
-use rayon::prelude::*;
 
 use super::Sampling;
 use super::flights::visits_of;
 use super::readings::{counted, readings_of};
 use crate::long_time::{Horizon, LONGEST_TRANSIENT, LongOrbit, random_start};
+use crate::parallel;
 use crate::progress::Progress;
 use crate::settled::{Recurring, equations, near, solution};
 
@@ -118,9 +118,8 @@ pub(super) fn long_time_behaviour(
         progress.step(LONG_TIME);
         sampled
     };
-    let samples: Vec<_> = progress.during(LONG_TIME, sampling.values.into(), || {
-        (0..sampling.values).into_par_iter().map(sample).collect()
-    });
+    let samples: Vec<_> =
+        progress.during(LONG_TIME, sampling.values.into(), || parallel::map(0..sampling.values, sample));
     let mut all = Sampled::default();
     for Sampled { visits, readings, orbits, settled } in samples {
         all.settled.extend(settled);

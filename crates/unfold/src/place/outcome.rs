@@ -2,9 +2,9 @@
 
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
-use rayon::prelude::*;
 
 use crate::long_time::{Fate, Horizon, LongOrbit, MotionKind, Patience, Strike};
+use crate::parallel;
 use crate::progress::Progress;
 use crate::settled::{Recurring, near};
 use crate::tolerances::BETWEEN_ORBITS;
@@ -127,7 +127,6 @@ pub(super) fn each<T: Sync, R: Send>(
     if items.is_empty() {
         return Some(Vec::new());
     }
-    // Items may take very different times.
-    let all = || items.par_iter().with_max_len(1).map(one).collect::<Option<Vec<R>>>();
+    let all = || parallel::map(items, one).into_iter().collect::<Option<Vec<R>>>();
     progress.during(stage, items.len() as u64, all).filter(|_| !progress.stopped())
 }

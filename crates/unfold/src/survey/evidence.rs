@@ -3,12 +3,12 @@
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::unknown;
 use grazing_model::smooth::Purpose;
-use rayon::prelude::*;
 
 use super::Survey;
 use super::explain::is_wide;
 use crate::curves::DiagramCurve;
 use crate::faces::Point;
+use crate::parallel;
 use crate::region::Doubt;
 use crate::segments::{broken_at, segments};
 use crate::slice_stability::SliceStability;
@@ -42,9 +42,8 @@ impl Survey<'_> {
                     .then(|| solution.parameters())
             })
         };
-        let found =
-            self.net.curves.par_iter().filter_map(|curve| Purpose::Witnesses.during(|| beside(curve)));
-        found.collect()
+        let found = parallel::map(&self.net.curves, |curve| Purpose::Witnesses.during(|| beside(curve)));
+        found.into_iter().flatten().collect()
     }
 
     /// What all slices show.

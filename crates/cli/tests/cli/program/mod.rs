@@ -189,11 +189,25 @@ pub(crate) fn quick_parameters() -> String {
 /// The Duffing oscillator of examples/ in ranges with a single resonance of p = 3 and without its
 /// one-parameter diagram, to save time.
 pub(crate) fn narrow_duffing() -> String {
-    let whole =
-        fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is among the examples");
+    narrow(&example("duffing"), "range = [0.95, 1.0]")
+}
+
+/// That oscillator with a linear spring in place of the cubic one, likewise: its motion has a closed form, which saves
+/// more time.
+pub(crate) fn narrow_linear() -> String {
+    let linear = example("duffing").replace("- x - kappa*x^3", "- (1 + kappa)*x");
+    narrow(&linear, "range = [0.85, 0.95]")
+}
+
+fn example(name: &str) -> String {
+    let path = repository().join(format!("examples/{name}.toml"));
+    fs::read_to_string(path).expect("it is among the examples")
+}
+
+fn narrow(whole: &str, secondary: &str) -> String {
     let whole = whole.split("[[diagrams]]").next().expect("there is something before");
     let narrow = edited(whole, "[primary]", "range", "range = [0.2, 0.4]");
-    let narrow = edited(&narrow, "[secondary]", "range", "range = [0.95, 1.0]");
+    let narrow = edited(&narrow, "[secondary]", "range", secondary);
     edited(&narrow, "[analysis]", "loops", "loops = [3]")
 }
 
