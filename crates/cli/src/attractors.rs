@@ -3,12 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use grazing_beyond::attractors::{Attractors, BeyondAttractors, Map, MapRow, RegionCount};
+use grazing_beyond::parameters;
 use grazing_input::{Setting, Text};
 use grazing_model::smooth::Stop;
-use grazing_reproduction::figures::beyond_attractors::{
-    Attractors, BeyondAttractors, Map, MapRow, RegionCount,
-};
-use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::{Study, StudyError};
 use serde::{Deserialize, Serialize};
 
@@ -76,7 +74,7 @@ impl Divided for MapWork {
     fn task(&self) -> Result<MapTask, Failure> {
         let settings = self.set.iter().map(|setting| Ok(setting.parse::<Setting>()?));
         let settings = settings.collect::<Result<Vec<_>, Failure>>()?;
-        let parameters = Parameters::parse(&Text::new(&self.parameters, &settings), project::PARAMETERS)?;
+        let parameters = parameters::parse(&Text::new(&self.parameters, &settings), project::PARAMETERS)?;
         let study = Study::new(&parameters).with_progress(Arc::new(Display::counting(Stop::default())));
         let task = MapTask { asked: parameters.section()?, study };
         task.map()?;

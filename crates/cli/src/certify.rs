@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use grazing_beyond::proofs::statement;
 use grazing_certify::ball::Ball;
 use grazing_certify::resonance::{NAMES, Resonance};
 use grazing_certify::row::Row;
@@ -10,7 +11,6 @@ use grazing_certify::statement::{Decimal, Statement, WIDTH_PLACES};
 use grazing_certify::{certificate, prove, summary};
 use grazing_claims::published::Published;
 use grazing_reproduction::StudyError;
-use grazing_reproduction::figures::beyond_proofs::statement;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments::Certify;

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Command;
 use clap_mangen::Man;
+use grazing_beyond::parameters;
 use grazing_input::Description;
-use grazing_reproduction::parameters::Parameters;
 
 use crate::arguments::{Completions, Manual, Schema, Written, command_line};
 use crate::commands::INSTALLED;
@@ -25,7 +25,7 @@ pub(crate) fn completions(arguments: &Completions) {
 pub(crate) fn schema(arguments: &Schema) {
     let schema = match arguments.of {
         Written::Oscillator => Description::requirements().schema("An impact oscillator"),
-        Written::Parameters => Parameters::requirements().schema("Parameters of the figures of the paper"),
+        Written::Parameters => parameters::requirements().schema("Parameters of the figures of the paper"),
     };
     terminal::say_coloured(&format!("{:#}\n", serde_json::json!(schema)));
 }

@@ -9,12 +9,12 @@ use std::sync::Arc;
 
 use grazing_analysis::place::simulated;
 use grazing_analysis::unfolded::Prepared;
+use grazing_beyond::parameters;
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Figure, Model, Seen, View, Wanted};
 use grazing_input::{Description, Limits, Setting, Text, nearest, suggestion};
 use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::Parameters;
 use grazing_results::place::briefly;
 use grazing_results::{Names, Table, Tables};
 
@@ -228,7 +228,7 @@ pub fn paper(name: &str, settings: &[Setting], report: Report<'_>) -> Result<Res
         )));
     };
     let text = Text::new(PARAMETERS_TEXT, settings);
-    let study = Study::new(&Parameters::parse(&text, PARAMETERS)?);
+    let study = Study::new(&parameters::parse(&text, PARAMETERS)?);
     let study = study.with_progress(Arc::from(report(Stop::default())));
     paper::refuse_malformed([output].into_iter(), &study)?;
     Ok(Results::new(output.compute(&study, SheetWidth::Paper)?, &Names::of_the_paper()))

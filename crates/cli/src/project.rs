@@ -3,6 +3,7 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
+use grazing_beyond::parameters::parse;
 use grazing_input::Text;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 
@@ -36,7 +37,7 @@ pub(crate) fn root() -> Option<PathBuf> {
 /// The file cannot be read, or its content is wrong.
 pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
     let (file, text) = parameter_file(asked.file.as_deref())?;
-    Ok(Parameters::parse(&Text::new(&text, &asked.set), &file)?)
+    Ok(parse(&Text::new(&text, &asked.set), &file)?)
 }
 
 impl ParameterFile {

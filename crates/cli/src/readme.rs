@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use grazing_beyond::proofs::BeyondProofs;
 use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Test};
 use grazing_reproduction::Study;
-use grazing_reproduction::figures::beyond_proofs::BeyondProofs;
 
 use crate::claims::LEDGER;
 use crate::compare::{computed, published};

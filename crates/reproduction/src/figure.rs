@@ -8,15 +8,15 @@ use grazing_results::{TablePlan, Tables, Title};
 use crate::parameters::{FileSection, ParameterError};
 use crate::{Study, StudyError};
 
-/// The imports that the file of every figure uses.
-pub(crate) mod prelude {
-    pub(crate) use grazing_drawing::{DrawingError, Sheet, SheetWidth};
-    pub(crate) use grazing_input::{Section, keys};
-    pub(crate) use grazing_results::{TablePlan, Tables, Title};
+/// The imports that the file of every figure uses, of the paper or beyond it.
+pub mod prelude {
+    pub use grazing_drawing::{DrawingError, Sheet, SheetWidth};
+    pub use grazing_input::{Section, keys};
+    pub use grazing_results::{TablePlan, Tables, Title};
 
-    pub(crate) use super::{PaperFigure, Remarks};
-    pub(crate) use crate::parameters::{FileSection, ParameterError, Parameters};
-    pub(crate) use crate::{Study, StudyError};
+    pub use super::{PaperFigure, Remarks};
+    pub use crate::parameters::{FileSection, ParameterError, Parameters};
+    pub use crate::{Study, StudyError};
 }
 
 /// A figure of the paper: a section of the parameter file, with the functions that compute and draw the
@@ -81,8 +81,12 @@ impl Study {
         self.once::<F, _>(|| self.parameters.section::<F>()?.compute(self))
     }
 
-    /// The constants of the paper's oscillator, by their symbols in LaTeX.
-    pub(crate) fn oscillator_constants(&self) -> Result<Vec<(&'static str, f64)>, ParameterError> {
+    /// The constants of the paper's oscillator, ζ and ε, by their symbols in LaTeX, as
+    /// [`PaperFigure::constants`] gives them.
+    ///
+    /// # Errors
+    /// The section of the oscillator is invalid.
+    pub fn oscillator_constants(&self) -> Result<Vec<(&'static str, f64)>, ParameterError> {
         let oscillator = self.parameters.oscillator()?;
         let (zeta, epsilon) = (oscillator.damping_ratio(), oscillator.coefficient_of_restitution());
         Ok(vec![(r"\zeta", zeta), (r"\epsilon", epsilon)])

@@ -15,7 +15,7 @@ use grazing_theorems::LinearOscillator;
 use limits::{EPSILON, ZETA, damping_ratio, restitution};
 
 pub use error::ParameterError;
-pub use limits::{contains, encloses, strictly_contains};
+pub use limits::{MOST_LOOPS, contains, encloses, strictly_contains};
 
 /// A section of the parameter file.
 pub trait FileSection: Keys {
@@ -49,15 +49,15 @@ impl FileSection for Oscillator {
 }
 
 /// The declaration of a section: its name, the message if it is missing, and its keys.
-pub(crate) type Declaration = (&'static str, &'static str, fn(&str, &mut Vec<Key>));
+pub type Declaration = (&'static str, &'static str, fn(&str, &mut Vec<Key>));
 
 /// The declaration of a section.
-pub(crate) fn declaration<S: FileSection>() -> Declaration {
+pub fn declaration<S: FileSection>() -> Declaration {
     (S::NAME, S::REQUIREMENT, S::list)
 }
 
 /// The requirements on the keys of a parameter file with these sections and that of the oscillator.
-pub(crate) fn requirements(sections: impl IntoIterator<Item = Declaration>) -> Requirements {
+pub fn requirements(sections: impl IntoIterator<Item = Declaration>) -> Requirements {
     let none = Requirements::new("see figures/parameters.toml for what belongs here");
     let all = std::iter::once(declaration::<Oscillator>()).chain(sections);
     all.fold(none, |known, (name, requirement, list)| known.with_table(name, requirement, list))
@@ -72,12 +72,13 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// The parameters in the text of a file; `file` is its name in messages.
-    pub(crate) fn new(
-        text: &Text,
-        file: &str,
-        requirements: &'static Requirements,
-    ) -> Result<Self, ParameterError> {
+    /// The parameters in the text of a file that can have the keys of `requirements` ([`requirements`]);
+    /// `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`ParameterError`] if the text is not valid TOML or has unknown sections, and for settings of
+    /// missing keys. Other errors in a section are reported when the section is requested.
+    pub fn new(text: &Text, file: &str, requirements: &'static Requirements) -> Result<Self, ParameterError> {
         Source::new(text, file, requirements).check_top_level()?;
         Ok(Self { text: text.clone(), file: file.to_owned(), requirements })
     }

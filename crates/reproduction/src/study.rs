@@ -4,7 +4,6 @@ use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use grazing_analysis::limits::{AtLimit, LimitTable};
 use grazing_model::LinearOscillator;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::{Progress, Silent};
@@ -18,7 +17,8 @@ use crate::parameters::Parameters;
 pub struct Study {
     /// The parameters.
     pub parameters: Parameters,
-    pub(crate) progress: Arc<dyn Progress + Send>,
+    /// The receiver of progress reports.
+    pub progress: Arc<dyn Progress + Send>,
     pub(crate) diagram: OnceLock<Result<Diagram, StudyError>>,
     pub(crate) coefficients: OnceLock<Result<CoefficientTable, StudyError>>,
     /// Other results, by whose they are.
@@ -59,19 +59,13 @@ impl Study {
     pub fn with_progress(self, progress: Arc<dyn Progress + Send>) -> Self {
         Self { progress, ..self }
     }
-
-    /// Beyond the paper: the limit map at all resonances of Figure 7.
-    ///
-    /// # Errors
-    /// There is no grazing in the window.
-    pub fn limits(&self) -> Result<LimitTable, StudyError> {
-        let found = self.diagram()?.unfolding();
-        Ok(LimitTable { rows: found.map(|(resonance, _)| AtLimit::of(resonance)).collect() })
-    }
 }
 
-/// The oscillator of the theory with its forcing.
-pub(crate) fn forced(
+/// The oscillator of the theory (eq:oscf, eq:oscResetLaw) under a forcing of this amplitude and frequency.
+///
+/// # Errors
+/// [`StudyError::Oscillator`]: the frequency is not positive, or a value is not finite.
+pub fn forced(
     theory: &grazing_theorems::LinearOscillator,
     amplitude: f64,
     frequency: f64,

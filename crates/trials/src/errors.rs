@@ -41,7 +41,7 @@ pub enum SeenBy {
 }
 
 /// The crates whose tests are run, in this order, after those of the crate that contains the error.
-const OBSERVERS: [&str; 13] = [
+const OBSERVERS: [&str; 14] = [
     "claims",
     "theorems",
     "model",
@@ -51,6 +51,7 @@ const OBSERVERS: [&str; 13] = [
     "unfold",
     "analysis",
     "reproduction",
+    "beyond",
     "drawing",
     "report",
     "trials",

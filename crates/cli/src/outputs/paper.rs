@@ -3,11 +3,12 @@
 use std::error::Error;
 
 use grazing_analysis::limits::LimitTable;
+use grazing_beyond::{all_figures, limit_maps};
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
-    CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction, paper_figures,
+    CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction,
 };
 use grazing_results::columns::{C_2GZ, LOOPS, M_2GZ, M_PD, M_SN, RESONANCE_INDEX, SIGMA};
 use grazing_results::plane::StraightenedCurves;
@@ -19,9 +20,9 @@ use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
 pub const ALL: &[Output<Study>] =
-    &paper_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
+    &all_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
-/// The output of a figure of the paper.
+/// The output of a figure of the paper, or beyond it.
 pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
@@ -35,7 +36,7 @@ pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
     }
 }
 
-/// A figure of the paper, drawn and as tables.
+/// Such a figure, drawn and as tables.
 pub(crate) fn computed<F: PaperFigure>(
     output: &Output<Study>,
     section: &F,
@@ -125,7 +126,10 @@ const LIMITS: Output<Study> = Output {
         |output, study: &Study, _| {
             Ok(ComputedOutput {
                 printed: vec![(LIMIT_COLUMNS, output.caption())],
-                ..ComputedOutput::new(Vec::new(), study.limits()?.tables(&Names::of_the_paper()))
+                ..ComputedOutput::new(
+                    Vec::new(),
+                    limit_maps::at_resonances(study)?.tables(&Names::of_the_paper()),
+                )
             })
         },
     )

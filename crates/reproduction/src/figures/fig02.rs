@@ -19,8 +19,11 @@ use crate::study::forced;
 pub use section::{Figure2, Magnification, Portrait, Wish, frequency};
 
 impl Figure2 {
-    /// The branches of the figure.
-    pub(super) fn cut(&self, study: &Study) -> Result<Cut, StudyError> {
+    /// The branches of the figure: of the non-impacting solution and of the MPSs with its numbers of loops.
+    ///
+    /// # Errors
+    /// The section of the oscillator is invalid, or the computation was stopped.
+    pub fn cut(&self, study: &Study) -> Result<Cut, StudyError> {
         let (at, range) = (self.frequency, self.across.value);
         let oscillator = AnyOscillator::new(forced(&study.parameters.oscillator()?, range[0], at)?);
         // Only the lower end of the frequencies is used.

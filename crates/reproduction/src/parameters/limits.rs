@@ -8,7 +8,7 @@ use grazing_theorems::{GrazingState, LinearOscillator};
 
 /// The greatest number of loops: higher ones are unrelated to resonant grazing, and their curves cannot
 /// be distinguished.
-pub(crate) const MOST_LOOPS: u32 = 12;
+pub const MOST_LOOPS: u32 = 12;
 /// The greatest integer n of a resonance; its frequency is already below a twentieth of the natural
 /// frequency.
 pub(crate) const MOST_N: u32 = 100;

@@ -7,13 +7,13 @@ use std::sync::{LazyLock, OnceLock};
 use std::thread;
 use std::time::Duration;
 
+use grazing_beyond::parameters;
 use grazing_cli::folder::{self, OutputFile};
 use grazing_cli::outputs::edition::{Edition, Format, TextForm};
 use grazing_cli::reproduce;
 use grazing_drawing::SheetWidth;
 use grazing_input::Text;
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::Parameters;
 use insta::Settings;
 use sha2::{Digest, Sha256};
 
@@ -213,7 +213,7 @@ fn narrow(whole: &str, secondary: &str) -> String {
 
 /// The study of the default parameters: the contents of its figures are computed once for all tests.
 static STUDY: LazyLock<Study> = LazyLock::new(|| {
-    let parameters = Parameters::parse(&Text::new(DEFAULT, &[]), "parameters.toml");
+    let parameters = parameters::parse(&Text::new(DEFAULT, &[]), "parameters.toml");
     Study::new(&parameters.expect("the default parameters are valid"))
 });
 

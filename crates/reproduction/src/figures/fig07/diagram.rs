@@ -80,7 +80,10 @@ impl Figure7 {
 impl Study {
     /// The diagram in the window of Figure 7: the results of `grazing_unfold` for an oscillator with a
     /// flow in closed form.
-    pub(crate) fn diagram(&self) -> Result<&Diagram, StudyError> {
+    ///
+    /// # Errors
+    /// The section of the figure or of the oscillator is invalid, or there is no grazing in the window.
+    pub fn diagram(&self) -> Result<&Diagram, StudyError> {
         let compute = || {
             let figure: Figure7 = self.parameters.section()?;
             let scope = Scope { window: figure.window(), loops: figure.loops, start: None };

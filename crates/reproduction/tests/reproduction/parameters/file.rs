@@ -1,10 +1,11 @@
 //! The file itself: its keys, its syntax, and settings that replace values.
 
+use grazing_beyond::parameters;
 use grazing_input::{Setting, SourceError};
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::figures::fig08::Figure8;
-use grazing_reproduction::parameters::{ParameterError, Parameters};
+use grazing_reproduction::parameters::ParameterError;
 
 use super::{DEFAULT, edited, errors, line_of, parse, set};
 
@@ -145,7 +146,7 @@ fn what_is_not_toml_is_shown_with_line_and_column() {
 #[test]
 fn a_file_that_is_not_there_is_named() {
     let path = std::path::Path::new("no/such/parameters.toml");
-    match Parameters::from_file(path, &[]) {
+    match parameters::from_file(path, &[]) {
         Err(ParameterError::Malformed(SourceError::Unreadable { file, .. })) => {
             assert_eq!(file, "no/such/parameters.toml")
         }
@@ -160,7 +161,7 @@ fn what_has_no_end_is_not_read() {
         [("/dev/zero", "a device, not a regular file"), ("/", "a folder, not a regular file")]
     {
         let error =
-            Parameters::from_file(std::path::Path::new(path), &[]).expect_err("it is no file").to_string();
+            parameters::from_file(std::path::Path::new(path), &[]).expect_err("it is no file").to_string();
         assert!(error.starts_with(path) && error.contains(wanted), "{error}");
     }
 }

@@ -5,16 +5,17 @@ mod schema;
 mod together;
 mod values;
 
+use grazing_beyond::{all_figures, parameters};
 use grazing_input::{Setting, SourceError, Text};
+use grazing_reproduction::PaperFigure;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::{PaperFigure, paper_figures};
 
 const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
 
 /// The parameters, or the first error in any section.
 fn parse(text: &str) -> Result<Parameters, SourceError> {
     let told = |error: ParameterError| source(&error).clone();
-    let parameters = Parameters::parse(&Text::new(text, &[]), "p.toml").map_err(told)?;
+    let parameters = parameters::parse(&Text::new(text, &[]), "p.toml").map_err(told)?;
     match errors(&parameters).into_iter().next() {
         Some(error) => Err(told(error)),
         None => Ok(parameters),
@@ -32,14 +33,14 @@ fn errors(parameters: &Parameters) -> Vec<ParameterError> {
     fn check<F: PaperFigure>() -> fn(&Parameters) -> Result<(), ParameterError> {
         |parameters| parameters.section::<F>().map(drop)
     }
-    let sections = paper_figures!(check, first |parameters: &Parameters| parameters.oscillator().map(drop));
+    let sections = all_figures!(check, first |parameters: &Parameters| parameters.oscillator().map(drop));
     sections.into_iter().filter_map(|check| check(parameters).err()).collect()
 }
 
 /// The default parameters with settings.
 fn set(settings: &[&str]) -> Result<Parameters, ParameterError> {
     let settings: Vec<Setting> = settings.iter().map(|text| text.parse().expect("it is a setting")).collect();
-    Parameters::parse(&Text::new(DEFAULT, &settings), "p.toml")
+    parameters::parse(&Text::new(DEFAULT, &settings), "p.toml")
 }
 
 /// The default file in which the first line for the key after `section` is replaced. The current values

@@ -5,9 +5,10 @@ mod validator;
 #[path = "../../../../input/tests/input/schema/variants.rs"]
 mod variants;
 
+use grazing_beyond::{all_figures, parameters};
 use grazing_input::{SourceError, Text};
+use grazing_reproduction::PaperFigure;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::{PaperFigure, paper_figures};
 use toml::Table;
 
 use super::{DEFAULT, source};
@@ -22,12 +23,12 @@ fn section<F: PaperFigure>() -> (&'static str, Read) {
 
 #[test]
 fn what_the_schema_refuses_is_not_read() {
-    let schema = Parameters::requirements().schema("Parameters");
+    let schema = parameters::requirements().schema("Parameters");
     let default: Table = DEFAULT.parse().expect("it is TOML");
     assert_eq!(refusal(&schema, &default.clone().into()), None);
     let oscillator: Read = |parameters| parameters.oscillator().map(drop);
     let mut refused = 0;
-    for (name, read) in paper_figures!(section, first("oscillator", oscillator)) {
+    for (name, read) in all_figures!(section, first("oscillator", oscillator)) {
         let [schema, table] =
             [&schema["properties"][name], &default[name]].map(|of| of.as_table().expect("it is a table"));
         for (path, variant) in variants(table) {
@@ -36,7 +37,7 @@ fn what_the_schema_refuses_is_not_read() {
             let text = toml::to_string(&Table::from_iter([(name.to_owned(), variant.into())]))
                 .expect("it is a table");
             let parameters =
-                Parameters::parse(&Text::new(&text, &[]), "p.toml").expect("there is no other section");
+                parameters::parse(&Text::new(&text, &[]), "p.toml").expect("there is no other section");
             let error = read(&parameters).expect_err(&format!("{name}.{path}: {reason}"));
             match source(&error) {
                 SourceError::UnknownKey { key, .. }

@@ -1,5 +1,6 @@
 //! Tests of values that must be consistent with others in the file.
 
+use grazing_beyond::parameters;
 use grazing_input::Text;
 use grazing_reproduction::figures::fig01::Figure1;
 use grazing_reproduction::figures::fig02::{Figure2, frequency};
@@ -157,7 +158,7 @@ fn figure_2_holds_its_grazing_amplitude() {
     // A mandatory value that does not fit is rejected.
     let text = edited("[fig02]", "near", "amplitude = [0.001, 0.002]");
     let parsed = |text: &str| {
-        Parameters::parse(&Text::new(text, &[]), "p.toml").expect("it is TOML").section::<Figure2>()
+        parameters::parse(&Text::new(text, &[]), "p.toml").expect("it is TOML").section::<Figure2>()
     };
     let told = parsed(&text.replace("amplitude = [0.2704, 0.2748]", "amplitude = [0.0015, 0.002]"));
     let told = told.expect_err("grazing is elsewhere").to_string();

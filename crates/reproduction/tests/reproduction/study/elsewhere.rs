@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use grazing_beyond::parameters;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::{Setting, Text};
 use grazing_reproduction::Study;
@@ -19,7 +20,7 @@ const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
 /// The parameters with some values set.
 fn with(settings: &[&str]) -> Parameters {
     let settings: Vec<Setting> = settings.iter().map(|text| text.parse().expect("it is a setting")).collect();
-    Parameters::parse(&Text::new(DEFAULT, &settings), "parameters.toml").expect("the values are valid")
+    parameters::parse(&Text::new(DEFAULT, &settings), "parameters.toml").expect("the values are valid")
 }
 
 fn fig02(settings: &[&str]) -> Arc<OneParameter> {

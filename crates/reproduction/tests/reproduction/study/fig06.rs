@@ -3,6 +3,7 @@
 
 use core::f64::consts::TAU;
 
+use grazing_beyond::parameters;
 use grazing_drawing::ink::style::Paint;
 use grazing_drawing::ink::svg::fill;
 use grazing_drawing::{Element, SheetWidth};
@@ -41,7 +42,7 @@ fn with(key: &str, value: &str) -> Parameters {
     let key = format!("{key} = ");
     let line = own.lines().find(|line| line.starts_with(&key)).expect("Figure 6 has the key");
     let own = own.replacen(line, &format!("{key}{value}"), 1);
-    Parameters::parse(&Text::new(&format!("{before}[fig06]{own}"), &[]), "p.toml").expect("it is valid")
+    parameters::parse(&Text::new(&format!("{before}[fig06]{own}"), &[]), "p.toml").expect("it is valid")
 }
 
 fn at_phase(phase: f64) -> Parameters {

@@ -1,6 +1,5 @@
 //! The rows for the default parameters: compared with snapshots and with independent computations.
 
-mod beyond;
 mod elsewhere;
 mod fig04;
 mod fig05;
@@ -15,6 +14,7 @@ mod space;
 use std::path::Path;
 use std::sync::{Arc, LazyLock, OnceLock};
 
+use grazing_beyond::parameters;
 use grazing_model::LinearOscillator;
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig07::Figure7;
@@ -42,7 +42,7 @@ pub(crate) fn made() -> &'static Made {
     static MADE: OnceLock<Made> = OnceLock::new();
     MADE.get_or_init(|| {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
-        let parameters = Parameters::from_file(&file, &[]).expect("the default parameters are valid");
+        let parameters = parameters::from_file(&file, &[]).expect("the default parameters are valid");
         let study = Study::new(&parameters);
         Made {
             coefficients: study.coefficients().expect("all coefficients can be computed").rows.clone(),

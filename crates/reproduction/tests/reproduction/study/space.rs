@@ -7,6 +7,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use grazing_beyond::parameters;
 use grazing_input::Text;
 use grazing_model::LinearOscillator;
 use grazing_reproduction::Study;
@@ -72,7 +73,7 @@ impl Equation {
 
 fn study() -> (Parameters, Study) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
-    let parameters = Parameters::from_file(&file, &[]).expect("the default parameters are valid");
+    let parameters = parameters::from_file(&file, &[]).expect("the default parameters are valid");
     let study = Study::new(&parameters);
     (parameters, study)
 }
@@ -326,7 +327,7 @@ fn an_orbit_that_would_meet_the_wall_earlier_and_a_point_that_is_no_maximum_are_
         format!("{}{key} = {value}{}", &text[..start], &text[end..])
     };
     let parsed =
-        |text: &str| Parameters::parse(&Text::new(text, &[]), "edited").expect("the values are valid");
+        |text: &str| parameters::parse(&Text::new(text, &[]), "edited").expect("the values are valid");
     // Followed back for this long, the orbit has been beyond the wall.
     let early = parsed(&edited(&text, "[[fig01.orbits]]", "before", "2.5"));
     let error = Study::new(&early).shown::<Figure1>().expect_err("the wall is met before");

@@ -12,10 +12,10 @@ use grazing_drawing::ink::style::{
 use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::cloud::draw_cells;
 use grazing_drawing::plot::kinds::{draw_curves, draw_points, shown_curves};
+use grazing_reproduction::prelude::*;
 use grazing_results::kinds::{IRREGULAR, PERIODIC};
 
 use super::{Attractors, Stretch, groups};
-use crate::figure::prelude::*;
 
 /// The width and height in millimetres; room around the panel, and the height of a line of the legend, in
 /// points.

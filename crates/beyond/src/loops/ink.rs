@@ -7,10 +7,10 @@ use grazing_drawing::ink::legend;
 use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, Paint, THRESHOLD, branch_pen};
 use grazing_drawing::plot::axes::Panel;
+use grazing_reproduction::prelude::*;
 use grazing_results::Frame;
 
 use super::MoreLoops;
-use crate::figure::prelude::*;
 
 const WIDTH_MM: f64 = 165.0;
 const HEIGHT_MM: f64 = 82.0;

@@ -13,10 +13,9 @@ use grazing_certify::statement::{Decimal, Statement};
 use grazing_certify::summary::{self, ends, sentence, stretches};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::kind::count;
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::prelude::*;
 use grazing_results::{Frame, rows, span, tables, words};
-
-use super::fig07::Figure7;
-use crate::figure::prelude::*;
 
 /// The number of frequencies at which the grazing curve, a closed form, is shown.
 const SAMPLES: u32 = 200;

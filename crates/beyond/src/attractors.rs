@@ -8,20 +8,19 @@ mod ink;
 use core::f64::consts::TAU;
 use core::ops::Range;
 
+use grazing_analysis::plane::{Axes, plane_diagram};
 use grazing_continuation::curve::Window;
 use grazing_input::kind::count;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::forced;
+use grazing_reproduction::prelude::*;
 use grazing_results::plane::PlaneDiagram;
 use grazing_results::{place, row, rows, tables};
 use grazing_unfold::long_time::{Horizon, MotionKind, Patience};
 use grazing_unfold::place::{AttractorSummary, seen};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-
-use super::fig07::Figure7;
-use crate::figure::prelude::*;
-use crate::study::forced;
-use grazing_analysis::plane::{Axes, plane_diagram};
 
 /// The greatest number of places in either direction: the memory of a large machine holds the rows of
 /// such a map.

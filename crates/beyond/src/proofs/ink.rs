@@ -12,12 +12,12 @@ use grazing_drawing::ink::style::{
 };
 use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, shade};
+use grazing_reproduction::prelude::*;
 use grazing_results::Frame;
 use grazing_results::kinds::CurveLook;
 use grazing_results::plane::RegionKind;
 
 use super::{Bifurcation, ProofEnds, ProofMagnified, ProofPart, Proofs, REACH};
-use crate::figure::prelude::*;
 
 const WIDTH_MM: f64 = 165.0;
 const HEIGHT_MM: f64 = 158.0;

@@ -1,95 +1,18 @@
-//! Compares the rows beyond the paper with independent computations.
+//! The map of attractors: orbits followed event by event, closed forms, and neighbouring orbits.
 
 use core::f64::consts::TAU;
 use std::collections::BTreeSet;
 
-use grazing_continuation::bifurcation::CodimensionTwo;
+use grazing_beyond::attractors::{BeyondAttractors, Map, STARTS, Stretch};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
-use grazing_reproduction::figures::beyond_attractors::{BeyondAttractors, Map, STARTS, Stretch};
-use grazing_reproduction::figures::beyond_generations::BeyondGenerations;
-use grazing_reproduction::figures::beyond_loops::BeyondLoops;
-use grazing_reproduction::figures::beyond_proofs::BeyondProofs;
-use grazing_reproduction::figures::beyond_regions::BeyondRegions;
-use grazing_reproduction::figures::fig07::Figure7;
-use grazing_theorems::auxiliary::scaled_visit_position;
 use grazing_trials::closed_form;
 use grazing_trials::random::Random;
 use grazing_trials::simulation::settled;
 use grazing_unfold::long_time::{Horizon, MotionKind, Patience};
 use grazing_unfold::place::seen;
 
-use super::{integers, made, numbers, theory, words};
-
-#[test]
-fn coefficients_of_more_loops_are_those_measured_on_the_curves() {
-    let shown = made().study.shown::<BeyondLoops>().expect("it can be computed");
-    let column = |name: &str| numbers(&shown.measured, name);
-    let mut resolved = 0;
-    for end in ["slowest", "fastest"] {
-        let [closed, fit] = ["", "_fit"].map(|kind| column(&format!("c_{end}{kind}")));
-        for (closed, fit) in closed.iter().zip(&fit).filter(|(_, fit)| !fit.is_nan()) {
-            assert!((fit / closed - 1.0).abs() < 2e-5, "{closed} {fit}");
-            resolved += 1;
-        }
-    }
-    assert!(resolved > 75, "{resolved}");
-}
-
-#[test]
-fn two_loop_curves_of_figure_7_begin_with_these_coefficients() {
-    let shown = made().study.shown::<BeyondLoops>().expect("it can be computed");
-    let zeta = theory().damping_ratio();
-    let curves = &made().fig07.curves;
-    let (kinds, loops) = (words(curves, "kind"), integers(curves, "p"));
-    let [omegas, amplitudes, velocities] =
-        ["omega", "amplitude", "impact_velocity"].map(|name| numbers(curves, name));
-    let mut seen = 0;
-    for row in shown.measured.iter().filter(|row| row.loops == 2 && row.zeta.to_bits() == zeta.to_bits()) {
-        let resonance = theory().resonance(1, row.n).expect("it is there").forcing_frequency();
-        // μ/η² equals the coefficient up to terms of first order in y; at smaller η it is dominated by
-        // rounding.
-        let near =
-            |k: &usize| (1e-5..4e-4).contains(&(omegas[*k] - resonance).abs()) && velocities[*k] < 0.03;
-        for k in (0..curves.len()).filter(|&k| loops[k] == 2).filter(near) {
-            let eta = omegas[k] - resonance;
-            let grazing = theory().grazing(omegas[k]).expect("it grazes").amplitude();
-            let expected = if kinds[k] == "GZ" { row.to } else { row.from };
-            let found = (amplitudes[k] - grazing) / (eta * eta);
-            assert!(
-                (found / expected - 1.0).abs() < 0.1,
-                "{} n = {} {eta}: {found} {expected}",
-                kinds[k],
-                row.n
-            );
-            seen += 1;
-        }
-    }
-    assert!(seen >= 8, "{seen}");
-}
-
-#[test]
-fn all_visits_are_before_the_wall_inside_of_regions_and_one_is_not_beside_them() {
-    let shown = made().study.shown::<BeyondRegions>().expect("it can be computed");
-    let mut seen = 0;
-    for row in
-        shown.levels.iter().filter(|row| (0.1..0.999).contains(&row.delta) && row.high - row.low > 1e-6)
-    {
-        let sign = if 2 * row.turns <= row.loops { 1.0 } else { -1.0 };
-        let before = |tau: f64| {
-            (1..row.loops).all(|j| sign * scaled_visit_position(j, row.loops, tau, row.delta) < 0.0)
-        };
-        let width = row.high - row.low;
-        assert!(before(0.5 * (row.low + row.high)), "{row:?}");
-        for beside in [row.low - 0.01 * width, row.high + 0.01 * width] {
-            if beside.abs() < 1.0 + row.delta {
-                assert!(!before(beside), "{row:?} {beside}");
-                seen += 1;
-            }
-        }
-    }
-    assert!(seen > 1000, "{seen}");
-}
+use super::{study, theory};
 
 const COARSE: BeyondAttractors = BeyondAttractors { columns: 61, rows: 37 };
 
@@ -108,8 +31,7 @@ fn stable([amplitude, frequency]: [f64; 2], loops: u32) -> Option<closed_form::O
 
 /// Random places of the coarse map, with the attractors there.
 fn places(seed: u64, count: u32) -> Vec<([f64; 2], Vec<Stretch>)> {
-    let study = &made().study;
-    let map = Map::of(&COARSE, study).expect("it is right");
+    let map = Map::of(&COARSE, study()).expect("it is right");
     let mut random = Random::new(seed);
     let mut place = |_| {
         let [column, row] =
@@ -198,8 +120,7 @@ fn where_one_attractor_is_seen_random_states_settle_on_it() {
 
 #[test]
 fn regions_of_figure_7_explain_all_mps_of_the_map() {
-    let study = &made().study;
-    let map = Map::of(&COARSE, study).expect("it is right");
+    let map = Map::of(&COARSE, study()).expect("it is right");
     let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
     assert_eq!(shown.counts.iter().map(|count| count.loops).collect::<Vec<_>>(), [0, 1, 2, 3]);
     for count in &shown.counts {
@@ -212,8 +133,7 @@ fn regions_of_figure_7_explain_all_mps_of_the_map() {
 
 #[test]
 fn orbits_that_begin_beside_an_mps_that_the_map_does_not_see_come_to_it() {
-    let study = &made().study;
-    let map = Map::of(&COARSE, study).expect("it is right");
+    let map = Map::of(&COARSE, study()).expect("it is right");
     let shown = map.assembled(map.rows(0..map.count())).expect("it grazes");
     let mut tried = [0; 4];
     for remark in &shown.remarks {
@@ -266,8 +186,7 @@ fn by_differences(oscillator: &LinearOscillator) -> [f64; 2] {
 
 #[test]
 fn exponents_of_irregular_motion_are_those_of_orbits_beside_each_other() {
-    let study = &made().study;
-    let map = Map::of(&COARSE, study).expect("it is right");
+    let map = Map::of(&COARSE, study()).expect("it is right");
     let (mut seen, mut off) = (0, 0);
     for row in &map.rows(0..map.count()) {
         let alone = row.groups().filter(|group| group.len() == 1 && group[0].places == 1);
@@ -298,54 +217,4 @@ fn exponents_of_periodic_motion_are_known() {
     let known = libm::log(theory().coefficient_of_restitution()) / period - zeta;
     assert_eq!(struck.fate.loops(), Some(1));
     assert!((struck.exponent.mean - known).abs() < 1e-9, "{struck:?} {known}");
-}
-
-#[test]
-fn what_is_drawn_in_figure_7_lies_where_it_is_proved_to_be() {
-    let shown = made().study.shown::<BeyondProofs>().expect("it can be computed");
-    assert!(shown.undecided.is_empty(), "{:?}", shown.undecided);
-    let count = |object: &str| shown.items.iter().filter(|item| item.object == object).count();
-    assert_eq!([count("point"), count("region")], [25, 12]);
-    for item in &shown.items {
-        // A corner may lie beyond the end of an interval by rounding.
-        assert!(item.within + u32::from(item.object != "point") >= item.drawn, "{item:?}");
-        assert!(item.object == "point" || item.width <= 1e-6, "{item:?}");
-    }
-}
-
-#[test]
-fn resonances_of_motion_with_impacts_have_the_coefficients_that_are_measured() {
-    let shown = made().study.shown::<BeyondGenerations>().expect("it can be computed");
-    let (hold, fail): (Vec<_>, Vec<_>) = shown.resonances.iter().partition(|row| row.fails.is_empty());
-    assert!(hold.len() >= 9 && !fail.is_empty());
-    for row in hold {
-        assert_eq!((row.impacts, row.periods), (row.rounds + 1, row.rounds * row.base_loops));
-        let pairs = [
-            (row.saddle_node, row.saddle_node_fit, row.saddle_node_error),
-            (row.period_doubling, row.period_doubling_fit, row.period_doubling_error),
-        ];
-        for (theorem, fit, error) in pairs {
-            assert!((theorem - fit).abs() <= 3.0 * error + 1e-9 * fit.abs(), "{row:?}");
-        }
-        // Curves leave it.
-        let of_it = shown.curves.iter().filter(|point| point.number == row.number);
-        assert!(
-            of_it
-                .clone()
-                .any(|point| (point.primary - row.primary).abs() < 1e-9 && point.impact_velocity == 0.0)
-        );
-        assert!(of_it.count() > 20, "{row:?}");
-    }
-    // κ_q vanishes where a₁₂ has the wrong sign: the solutions go through the wall.
-    assert!(fail.iter().all(|row| row.rounds >= 2 && row.off_diagonal < 0.0));
-    assert_eq!(shown.panels.len(), 3);
-    assert!(shown.missing.is_empty(), "{:?}", shown.missing);
-    // Where the impact elsewhere loses its velocity, at the end of a GZ curve on a resonance, P_global is not smooth.
-    let figure = made().study.shown::<Figure7>().expect("it can be computed");
-    let resonances = figure.points.iter().filter(|point| point.kind == CodimensionTwo::Resonance);
-    let ends: Vec<[f64; 2]> = resonances.map(|point| [point.primary, point.secondary]).collect();
-    for lost in &shown.unlocated {
-        let at_end = |end: &[f64; 2]| (0..2).all(|k| (end[k] - lost.near[k]).abs() < 1e-3);
-        assert!(ends.iter().any(at_end), "{lost:?}");
-    }
 }

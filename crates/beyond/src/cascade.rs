@@ -8,14 +8,13 @@ use grazing_continuation::mps::unknown;
 use grazing_input::kind::{count, numbers};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::prelude::*;
 use grazing_results::{row, rows, tables};
 use grazing_theorems::limit_map::LimitImpact;
 use grazing_theorems::{LimitMap, ResonantPoint, Side};
 use grazing_unfold::resonances::Resonance;
 use rayon::prelude::*;
-
-use super::fig07::Figure7;
-use crate::figure::prelude::*;
 
 keys! {
     /// The motion after the period doublings.

@@ -3,12 +3,11 @@
 mod ink;
 
 use grazing_input::kind::counts;
+use grazing_reproduction::parameters::MOST_LOOPS;
+use grazing_reproduction::prelude::*;
 use grazing_results::{rows, tables};
 use grazing_theorems::admissibility_region::{AdmissibilityRegion, rotation};
 use rayon::prelude::*;
-
-use crate::figure::prelude::*;
-use crate::parameters::limits::MOST_LOOPS;
 
 /// The number of levels of δ in a region, and in one in which eigenvalues become real and x varies like a
 /// square root.

@@ -7,10 +7,10 @@ use grazing_drawing::ink::legend;
 use grazing_drawing::ink::markers::Marker;
 use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Paint, Pen, SMALL_LABEL_SIZE, branch_pen};
 use grazing_drawing::plot::axes::Panel;
+use grazing_reproduction::prelude::*;
 use grazing_results::Frame;
 
 use super::{Atlas, Node};
-use crate::figure::prelude::*;
 
 /// The width in the paper and the height, in millimetres; room around panels, in points.
 const WIDTH_MM: f64 = 156.0;

@@ -1,9 +1,9 @@
 //! Each curve, point and region of Figure 7, with the proved statement about it.
 
+use grazing_analysis::plane::{self, Axes};
 use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 
 use super::*;
-use grazing_analysis::plane::{self, Axes};
 
 /// The greatest error that rounding in the continuation may add to a drawn number.
 const ROUNDING: f64 = 2e-9;

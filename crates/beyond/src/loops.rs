@@ -10,14 +10,13 @@ use grazing_continuation::resonance::LeavingCurve;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_input::kind::{counts, numbers};
 use grazing_model::AnyOscillator;
+use grazing_reproduction::forced;
+use grazing_reproduction::parameters::MOST_LOOPS;
+use grazing_reproduction::prelude::*;
 use grazing_results::{rows, tables};
 use grazing_theorems::iterated::{IteratedResonance, last_visit_margin};
 use grazing_theorems::{LinearOscillator, Resonance};
 use rayon::prelude::*;
-
-use crate::figure::prelude::*;
-use crate::parameters::limits::MOST_LOOPS;
-use crate::study::forced;
 
 /// The number of values of σ from 0 to the end of a curve.
 const SAMPLES: i32 = 100;

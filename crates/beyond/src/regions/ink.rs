@@ -9,10 +9,10 @@ use grazing_drawing::ink::style::{
     BLACK, GREY, LABEL_SIZE, NON_IMPACTING_AREA, Paint, Pen, SMALL_LABEL_SIZE, branch_pen,
 };
 use grazing_drawing::plot::axes::Panel;
+use grazing_reproduction::prelude::*;
 use grazing_results::Frame;
 
 use super::{RegionLevel, Regions};
-use crate::figure::prelude::*;
 
 const WIDTH_MM: f64 = 165.0;
 const HEIGHT_MM: f64 = 150.0;

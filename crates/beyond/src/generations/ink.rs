@@ -10,10 +10,10 @@ use grazing_drawing::ink::markup::Label;
 use grazing_drawing::ink::style::{BLACK, LABEL_SIZE, MAGNIFIED_TEXT, Pen, SMALL_LABEL_SIZE};
 use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::kinds::{Trace, TraceOf, draw_curves, draw_several, name_several};
+use grazing_reproduction::prelude::*;
 use grazing_results::plane::{CurveSource, PlanePoint};
 
 use super::{Generations, LaterMagnified, LaterPoint};
-use crate::figure::prelude::*;
 
 const WIDTH_MM: f64 = 165.0;
 /// Narrower sheets have two magnifications in a row.

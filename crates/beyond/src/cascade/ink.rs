@@ -7,10 +7,10 @@ use grazing_drawing::ink::canvas::{Anchor, Canvas};
 use grazing_drawing::ink::style::{BLACK, GREY, LABEL_SIZE, Pen, SMALL_LABEL_SIZE};
 use grazing_drawing::plot::axes::Panel;
 use grazing_drawing::plot::cloud::draw_cloud;
+use grazing_reproduction::prelude::*;
 use grazing_results::{Frame, span};
 
 use super::{CascadePoint, Cascades, SHOWN};
-use crate::figure::prelude::*;
 
 /// The greatest impact velocity shown, in units of the velocity at the period doubling.
 const FASTEST: f64 = 2.0;

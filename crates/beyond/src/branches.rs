@@ -2,13 +2,12 @@
 
 use grazing_drawing::{Heading, draw_one_parameter};
 use grazing_input::kind::{count, list};
+use grazing_reproduction::figures::fig02::Figure2;
+use grazing_reproduction::prelude::*;
 use grazing_results::branches::OneParameter;
 use grazing_results::place::briefly;
 use grazing_results::{Names, span};
 use grazing_unfold::one_parameter::{Sampling, Subject};
-
-use super::fig02::Figure2;
-use crate::figure::prelude::*;
 
 /// The greatest number of impacts: the equations have twice as many unknowns, and two more.
 const MOST_IMPACTS: u32 = 24;

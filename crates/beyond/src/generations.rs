@@ -3,23 +3,22 @@
 
 mod ink;
 
+use grazing_analysis::plane::{self, Axes};
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::fit::{Estimate, measure};
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_input::kind::{count, counts};
 use grazing_model::ImpactOscillator;
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::parameters::MOST_LOOPS;
+use grazing_reproduction::prelude::*;
 use grazing_results::plane::{CurveSource, PlanePoint, SequenceVertex};
 use grazing_results::{Frame, Stability, brief, rows, tables};
 use grazing_unfold::generations::{BaseName, LaterResonance};
 use grazing_unfold::resonances::Unlocated;
 use grazing_unfold::sequences::{Sequences, sequences};
 use rayon::prelude::*;
-
-use super::fig07::Figure7;
-use crate::figure::prelude::*;
-use crate::parameters::limits::MOST_LOOPS;
-use grazing_analysis::plane::{self, Axes};
 
 /// The greatest number of panels that fit beside each other.
 const MOST_PANELS: u32 = 3;

@@ -4,12 +4,11 @@ mod ink;
 
 use grazing_continuation::cascade::Cascade;
 use grazing_input::kind::count;
+use grazing_reproduction::figures::fig07::Figure7;
+use grazing_reproduction::prelude::*;
 use grazing_results::{row, rows, tables};
 use grazing_theorems::LimitMap;
 use rayon::prelude::*;
-
-use super::fig07::Figure7;
-use crate::figure::prelude::*;
 
 keys! {
     /// The atlas.

@@ -1,0 +1,13 @@
+//! Beyond the paper: the limit map at all resonances of Figure 7, as a table.
+
+use grazing_analysis::limits::{AtLimit, LimitTable};
+use grazing_reproduction::{Study, StudyError};
+
+/// The limit map at each resonance of Figure 7.
+///
+/// # Errors
+/// There is no grazing in the window.
+pub fn at_resonances(study: &Study) -> Result<LimitTable, StudyError> {
+    let found = study.diagram()?.unfolding();
+    Ok(LimitTable { rows: found.map(|(resonance, _)| AtLimit::of(resonance)).collect() })
+}
