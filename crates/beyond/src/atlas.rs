@@ -102,7 +102,7 @@ impl FileSection for BeyondAtlas {
     const REQUIREMENT: &'static str = "the table [beyond_atlas] says how closely boundaries are drawn";
 }
 
-impl PaperFigure for BeyondAtlas {
+impl StudyFigure for BeyondAtlas {
     const LABEL: &'static str = "fig:atlas";
     const TITLE: Title<&'static str> = Title::beyond("atlas of the limit map");
     const TABLES: &'static [TablePlan] = Atlas::TABLES;

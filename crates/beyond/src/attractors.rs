@@ -146,7 +146,7 @@ impl FileSection for BeyondAttractors {
     const REQUIREMENT: &'static str = "the table [beyond_attractors] says how many places are looked at";
 }
 
-impl PaperFigure for BeyondAttractors {
+impl StudyFigure for BeyondAttractors {
     const LABEL: &'static str = "fig:attractors";
     const TITLE: Title<&'static str> = Title::beyond("long-term behaviour in the window of Figure~7");
     const TABLES: &'static [TablePlan] = Attractors::TABLES;

@@ -33,7 +33,7 @@ impl FileSection for BeyondBranches {
     const REQUIREMENT: &'static str = "the table [beyond_branches] says which branches of solutions with several impacts are followed in Figure 2";
 }
 
-impl PaperFigure for BeyondBranches {
+impl StudyFigure for BeyondBranches {
     const LABEL: &'static str = "fig:branches";
     const TITLE: Title<&'static str> = Title::beyond("the branches behind the dots of Figure 2");
     const TABLES: &'static [TablePlan] = &TablePlan::renamed(

@@ -100,7 +100,7 @@ impl FileSection for BeyondCascade {
         "the table [beyond_cascade] says how near to resonances motion is followed";
 }
 
-impl PaperFigure for BeyondCascade {
+impl StudyFigure for BeyondCascade {
     const LABEL: &'static str = "fig:cascade";
     const TITLE: Title<&'static str> = Title::beyond("what follows the period doublings");
     const TABLES: &'static [TablePlan] = Cascades::TABLES;

@@ -127,7 +127,7 @@ impl FileSection for BeyondGenerations {
         "the table [beyond_generations] says which resonances of motion with impacts are shown";
 }
 
-impl PaperFigure for BeyondGenerations {
+impl StudyFigure for BeyondGenerations {
     const LABEL: &'static str = "fig:generations";
     const TITLE: Title<&'static str> = Title::beyond("resonances of motion that already hits the wall");
     const TABLES: &'static [TablePlan] = Generations::TABLES;

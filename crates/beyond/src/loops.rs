@@ -84,7 +84,7 @@ impl FileSection for BeyondLoops {
         "the table [beyond_loops] says which solutions at one-loop resonances are shown";
 }
 
-impl PaperFigure for BeyondLoops {
+impl StudyFigure for BeyondLoops {
     const LABEL: &'static str = "fig:loops";
     const TITLE: Title<&'static str> = Title::beyond("solutions with more loops at one-loop resonances");
     const TABLES: &'static [TablePlan] = MoreLoops::TABLES;

@@ -108,7 +108,7 @@ impl FileSection for BeyondProofs {
     const REQUIREMENT: &'static str = "the table [beyond_proofs] says how many points are magnified";
 }
 
-impl PaperFigure for BeyondProofs {
+impl StudyFigure for BeyondProofs {
     const LABEL: &'static str = "fig:proofs";
     const TITLE: Title<&'static str> = Title::beyond("what is proved about Figure~7");
     const TABLES: &'static [TablePlan] = Proofs::TABLES;

@@ -51,7 +51,7 @@ impl FileSection for BeyondRegions {
     const REQUIREMENT: &'static str = "the table [beyond_regions] says whose admissibility is shown";
 }
 
-impl PaperFigure for BeyondRegions {
+impl StudyFigure for BeyondRegions {
     const LABEL: &'static str = "fig:regions";
     const TITLE: Title<&'static str> = Title::beyond("where p-loop solutions are admissible at grazing");
     const TABLES: &'static [TablePlan] = Regions::TABLES;

@@ -1,4 +1,4 @@
-//! The interface of the figures in the paper and beyond it.
+//! What a figure of a study is, of the paper or beyond it.
 
 use std::sync::Arc;
 
@@ -14,14 +14,14 @@ pub mod prelude {
     pub use grazing_input::{Section, keys};
     pub use grazing_results::{TablePlan, Tables, Title};
 
-    pub use super::{PaperFigure, Remarks};
+    pub use super::{Remarks, StudyFigure};
     pub use crate::parameters::{FileSection, ParameterError, Parameters};
     pub use crate::{Study, StudyError};
 }
 
-/// A figure of the paper: a section of the parameter file, with the functions that compute and draw the
+/// A figure of a study: a section of the parameter file, with the functions that compute and draw the
 /// figure. The name of the section is also that of the output and of its file.
-pub trait PaperFigure: FileSection + 'static {
+pub trait StudyFigure: FileSection + 'static {
     /// The label in the paper, or in LaTeX.
     const LABEL: &'static str;
     /// The title, which says which figure of the paper it is, or that it goes beyond the paper.
@@ -77,12 +77,12 @@ impl Study {
     ///
     /// # Errors
     /// The section is invalid, or the figure cannot be computed.
-    pub fn shown<F: PaperFigure>(&self) -> Result<Arc<F::Shown>, StudyError> {
+    pub fn shown<F: StudyFigure>(&self) -> Result<Arc<F::Shown>, StudyError> {
         self.once::<F, _>(|| self.parameters.section::<F>()?.compute(self))
     }
 
     /// The constants of the paper's oscillator, ζ and ε, by their symbols in LaTeX, as
-    /// [`PaperFigure::constants`] gives them.
+    /// [`StudyFigure::constants`] gives them.
     ///
     /// # Errors
     /// The section of the oscillator is invalid.

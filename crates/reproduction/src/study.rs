@@ -64,7 +64,7 @@ impl Study {
 /// The oscillator of the theory (eq:oscf, eq:oscResetLaw) under a forcing of this amplitude and frequency.
 ///
 /// # Errors
-/// [`StudyError::Oscillator`]: the frequency is not positive, or a value is not finite.
+/// [`StudyError::Oscillator`]: the frequency is not positive and finite, or the amplitude not finite.
 pub fn forced(
     theory: &grazing_theorems::LinearOscillator,
     amplitude: f64,

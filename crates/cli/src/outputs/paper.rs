@@ -8,7 +8,7 @@ use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
-    CoefficientTable, Coefficients, PaperFigure, Remarks, Study, StudyError, TheoremsInAction,
+    CoefficientTable, Coefficients, Remarks, Study, StudyError, StudyFigure, TheoremsInAction,
 };
 use grazing_results::columns::{C_2GZ, LOOPS, M_2GZ, M_PD, M_SN, RESONANCE_INDEX, SIGMA};
 use grazing_results::plane::StraightenedCurves;
@@ -23,7 +23,7 @@ pub const ALL: &[Output<Study>] =
     &all_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
 /// The output of a figure of the paper, or beyond it.
-pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
+pub(crate) const fn figure<F: StudyFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
         is_figure: true,
@@ -37,7 +37,7 @@ pub(crate) const fn figure<F: PaperFigure>() -> Output<Study> {
 }
 
 /// Such a figure, drawn and as tables.
-pub(crate) fn computed<F: PaperFigure>(
+pub(crate) fn computed<F: StudyFigure>(
     output: &Output<Study>,
     section: &F,
     study: &Study,

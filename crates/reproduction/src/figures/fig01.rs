@@ -82,7 +82,7 @@ impl FileSection for Figure1 {
     }
 }
 
-impl PaperFigure for Figure1 {
+impl StudyFigure for Figure1 {
     const LABEL: &'static str = "fig:Bc";
     const TITLE: Title<&'static str> = Title::figure(1, "phase space, impacting surface and reset law");
     const TABLES: &'static [TablePlan] =

@@ -35,7 +35,7 @@ impl Figure2 {
     }
 }
 
-impl PaperFigure for Figure2 {
+impl StudyFigure for Figure2 {
     const LABEL: &'static str = "fig:Z";
     const TITLE: Title<&'static str> =
         Title::figure(2, "one-parameter bifurcation diagram with phase portraits");

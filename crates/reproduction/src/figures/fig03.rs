@@ -67,7 +67,7 @@ impl FileSection for Figure3 {
     }
 }
 
-impl PaperFigure for Figure3 {
+impl StudyFigure for Figure3 {
     const LABEL: &'static str = "fig:Ba";
     const TITLE: Title<&'static str> = Title::figure(3, "the return map near a grazing periodic solution");
     const TABLES: &'static [TablePlan] =

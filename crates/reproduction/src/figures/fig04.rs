@@ -74,7 +74,7 @@ impl FileSection for Figure4 {
     const REQUIREMENT: &'static str = "the table [fig04] says what Figure 4 shows";
 }
 
-impl PaperFigure for Figure4 {
+impl StudyFigure for Figure4 {
     const LABEL: &'static str = "fig:D";
     const TITLE: Title<&'static str> = Title::figure(4, "the boundaries g_p and h_p in the trapesium");
     const TABLES: &'static [TablePlan] = Boundaries::TABLES;

@@ -106,7 +106,7 @@ impl FileSection for Figure5 {
     }
 }
 
-impl PaperFigure for Figure5 {
+impl StudyFigure for Figure5 {
     const LABEL: &'static str = "fig:E";
     const TITLE: Title<&'static str> = Title::figure(5, "unfolding of a resonant grazing bifurcation");
     const TABLES: &'static [TablePlan] = UnfoldingSketch::TABLES;

@@ -128,7 +128,7 @@ impl FileSection for Figure6 {
     }
 }
 
-impl PaperFigure for Figure6 {
+impl StudyFigure for Figure6 {
     const LABEL: &'static str = "fig:F";
     const TITLE: Title<&'static str> = Title::figure(6, "the impact oscillator");
     const TABLES: &'static [TablePlan] = Schematic::TABLES;

@@ -15,7 +15,7 @@ use grazing_analysis::plane::{self, Axes};
 pub use diagram::Figure7;
 use diagram::not_followed;
 
-impl PaperFigure for Figure7 {
+impl StudyFigure for Figure7 {
     const LABEL: &'static str = "fig:G";
     const TITLE: Title<&'static str> = Title::figure(7, "two-parameter bifurcation diagram");
     const TABLES: &'static [TablePlan] =

@@ -28,7 +28,7 @@ struct Shown<'a> {
     window: Window,
 }
 
-impl PaperFigure for Figure8 {
+impl StudyFigure for Figure8 {
     const LABEL: &'static str = "fig:Y";
     const TITLE: Title<&'static str> =
         Title::figure(8, "magnifications of Figure~7 with quadratic approximations");

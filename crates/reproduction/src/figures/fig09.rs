@@ -51,7 +51,7 @@ impl FileSection for Figure9 {
     }
 }
 
-impl PaperFigure for Figure9 {
+impl StudyFigure for Figure9 {
     const LABEL: &'static str = "fig:Bb";
     const TITLE: Title<&'static str> = Title::figure(9, "points on the impacting surface and on the section");
     const TABLES: &'static [TablePlan] =

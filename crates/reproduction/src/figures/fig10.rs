@@ -88,7 +88,7 @@ fn remedy(oscillator: &LinearOscillator, frequency: f64, loops: u32) -> String {
     )
 }
 
-impl PaperFigure for Figure10 {
+impl StudyFigure for Figure10 {
     const LABEL: &'static str = "fig:I";
     const TITLE: Title<&'static str> = Title::figure(10, "the path of visits in the proof of Theorem 2.3");
     const TABLES: &'static [TablePlan] = VisitPath::TABLES;

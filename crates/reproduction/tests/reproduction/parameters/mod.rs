@@ -7,7 +7,7 @@ mod values;
 
 use grazing_beyond::{all_figures, parameters};
 use grazing_input::{Setting, SourceError, Text};
-use grazing_reproduction::PaperFigure;
+use grazing_reproduction::StudyFigure;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 
 const DEFAULT: &str = include_str!("../../../../../figures/parameters.toml");
@@ -30,7 +30,7 @@ fn source(error: &ParameterError) -> &SourceError {
 
 /// The errors in the sections, in their order.
 fn errors(parameters: &Parameters) -> Vec<ParameterError> {
-    fn check<F: PaperFigure>() -> fn(&Parameters) -> Result<(), ParameterError> {
+    fn check<F: StudyFigure>() -> fn(&Parameters) -> Result<(), ParameterError> {
         |parameters| parameters.section::<F>().map(drop)
     }
     let sections = all_figures!(check, first |parameters: &Parameters| parameters.oscillator().map(drop));

@@ -7,7 +7,7 @@ mod variants;
 
 use grazing_beyond::{all_figures, parameters};
 use grazing_input::{SourceError, Text};
-use grazing_reproduction::PaperFigure;
+use grazing_reproduction::StudyFigure;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 use toml::Table;
 
@@ -17,7 +17,7 @@ use variants::variants;
 
 type Read = fn(&Parameters) -> Result<(), ParameterError>;
 
-fn section<F: PaperFigure>() -> (&'static str, Read) {
+fn section<F: StudyFigure>() -> (&'static str, Read) {
     (F::NAME, |parameters| parameters.section::<F>().map(drop))
 }
 

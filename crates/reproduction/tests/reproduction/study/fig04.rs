@@ -7,7 +7,7 @@ use std::sync::Arc;
 use grazing_drawing::SheetWidth;
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
-use grazing_reproduction::PaperFigure;
+use grazing_reproduction::StudyFigure;
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig04::{Boundaries, Boundary, Figure4};
 use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};

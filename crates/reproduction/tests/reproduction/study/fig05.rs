@@ -6,7 +6,7 @@ use std::sync::{Arc, LazyLock};
 use grazing_drawing::SheetWidth;
 use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
-use grazing_reproduction::PaperFigure;
+use grazing_reproduction::StudyFigure;
 use grazing_reproduction::figures::fig05::{Figure5, UnfoldingSketch};
 use grazing_theorems::Resonance;
 

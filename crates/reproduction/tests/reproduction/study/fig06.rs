@@ -10,7 +10,7 @@ use grazing_drawing::{Element, SheetWidth};
 use grazing_input::Text;
 use grazing_reproduction::figures::fig06::{Figure6, PartPoint};
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::{PaperFigure, Study};
+use grazing_reproduction::{Study, StudyFigure};
 
 use super::{made, numbers, words};
 

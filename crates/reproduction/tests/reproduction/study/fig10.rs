@@ -9,7 +9,7 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_drawing::geometry::sheet::{Spot, inside};
 use grazing_drawing::{Element, SheetWidth};
-use grazing_reproduction::PaperFigure;
+use grazing_reproduction::StudyFigure;
 use grazing_reproduction::figures::fig10::{Figure10, Visit, VisitPath};
 use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GenericGrazing, GrazingState};

@@ -1,7 +1,7 @@
 //! Tests of the legends of figures.
 
 use grazing_drawing::SheetWidth;
-use grazing_reproduction::PaperFigure;
+use grazing_reproduction::StudyFigure;
 use grazing_reproduction::figures::fig01::Figure1;
 use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig03::Figure3;
@@ -15,12 +15,12 @@ use grazing_reproduction::figures::fig10::Figure10;
 
 use super::made;
 
-fn meanings<F: PaperFigure>(shown: &F::Shown) -> Vec<String> {
+fn meanings<F: StudyFigure>(shown: &F::Shown) -> Vec<String> {
     let sheet = F::draw(shown, SheetWidth::Paper).expect("it can be drawn");
     sheet.legend.into_iter().map(|(meaning, _)| meaning).collect()
 }
 
-fn legend<F: PaperFigure>() -> Vec<String> {
+fn legend<F: StudyFigure>() -> Vec<String> {
     meanings::<F>(&made().study.shown::<F>().expect("it can be computed"))
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use grazing_drawing::SheetWidth;
 use grazing_drawing::ink::style::{INCOMING_FACE, SECTION_FACE};
 use grazing_drawing::ink::svg::fill;
-use grazing_reproduction::PaperFigure;
+use grazing_reproduction::StudyFigure;
 use grazing_reproduction::figures::fig01::Figure1;
 use grazing_reproduction::figures::fig03::Figure3;
 use grazing_reproduction::figures::fig09::Figure9;
@@ -14,18 +14,18 @@ use grazing_results::space::{CurveKind, Mark, MarkKind, Scene};
 
 use super::made;
 
-fn scene<F: PaperFigure<Shown = Scene>>() -> Arc<Scene> {
+fn scene<F: StudyFigure<Shown = Scene>>() -> Arc<Scene> {
     made().study.shown::<F>().expect("it can be computed")
 }
 
-fn svg<F: PaperFigure<Shown = Scene>>(scene: &Scene) -> String {
+fn svg<F: StudyFigure<Shown = Scene>>(scene: &Scene) -> String {
     F::draw(scene, SheetWidth::Paper).expect("it can be drawn").svg()
 }
 
 const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
 
 /// Tests that a figure has the names of its marks, these names and those of the axes at every width.
-fn assert_named<F: PaperFigure<Shown = Scene>>(mark: impl Fn(&Mark) -> Option<String>, names: &[&str]) {
+fn assert_named<F: StudyFigure<Shown = Scene>>(mark: impl Fn(&Mark) -> Option<String>, names: &[&str]) {
     let scene = scene::<F>();
     let others = names.iter().chain(&["$x$", "$y$", "$z$"]).map(|name| (*name).to_owned());
     let wanted: BTreeSet<String> = scene.points.iter().filter_map(mark).chain(others).collect();
