@@ -22,7 +22,7 @@ use crate::failure::Failure;
 pub const ALL: &[Output<Study>] =
     &all_figures!(figure, first COEFFICIENTS, last STRAIGHTENED, THEOREMS, LIMITS);
 
-/// The output of a figure of the paper, or beyond it.
+/// The output of a figure of the study.
 pub(crate) const fn figure<F: StudyFigure>() -> Output<Study> {
     Output {
         label: F::LABEL,
@@ -36,7 +36,7 @@ pub(crate) const fn figure<F: StudyFigure>() -> Output<Study> {
     }
 }
 
-/// Such a figure, drawn and as tables.
+/// A figure of the study, drawn and as tables.
 pub(crate) fn computed<F: StudyFigure>(
     output: &Output<Study>,
     section: &F,
@@ -124,13 +124,9 @@ const LIMITS: Output<Study> = Output {
         Title::beyond("the limit map at the resonances of Figure~7"),
         LimitTable::TABLES,
         |output, study: &Study, _| {
-            Ok(ComputedOutput {
-                printed: vec![(LIMIT_COLUMNS, output.caption())],
-                ..ComputedOutput::new(
-                    Vec::new(),
-                    limit_maps::at_resonances(study)?.tables(&Names::of_the_paper()),
-                )
-            })
+            let tables = limit_maps::at_resonances(study)?.tables(&Names::of_the_paper());
+            let printed = vec![(LIMIT_COLUMNS, output.caption())];
+            Ok(ComputedOutput { printed, ..ComputedOutput::new(Vec::new(), tables) })
         },
     )
 };
