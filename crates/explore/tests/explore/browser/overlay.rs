@@ -4,9 +4,9 @@ use super::{DESK, PHONE, Running, WHOLE, plane_key, state};
 
 const STATUS: &str = "document.getElementById('tiles-status').textContent";
 /// The number of places that were simulated in the view.
-const SEEN: &str = "use('tiles').then(([t]) => t.seen())";
+pub(crate) const SEEN: &str = "use('tiles').then(([t]) => t.seen())";
 /// The text about the simulation, once all places are simulated and the page is idle.
-pub(crate) const DONE: &str = "!document.documentElement.hasAttribute('data-busy') && /^[\\d,]+ places simulated; /.test(document.getElementById('tiles-status').textContent) && \
+const DONE: &str = "!document.documentElement.hasAttribute('data-busy') && /^[\\d,]+ places simulated; /.test(document.getElementById('tiles-status').textContent) && \
                     document.getElementById('tiles-status').textContent";
 
 #[test]
