@@ -14,23 +14,22 @@ pub(crate) fn map<T: Send, R: Send>(
     items: impl IntoIterator<Item = T>,
     of: impl Fn(T) -> R + Sync,
 ) -> Vec<R> {
-    let places: Vec<Mutex<Place<T, R>>> =
-        items.into_iter().map(|item| Mutex::new(Place { item: Some(item), result: None })).collect();
-    each(places.len(), &|k| {
-        let place = || places[k].lock().unwrap_or_else(PoisonError::into_inner);
-        let item = place().item.take();
+    let slots: Vec<Mutex<Slot<T, R>>> =
+        items.into_iter().map(|item| Mutex::new(Slot { item: Some(item), result: None })).collect();
+    each(slots.len(), &|k| {
+        let slot = || slots[k].lock().unwrap_or_else(PoisonError::into_inner);
+        let item = slot().item.take();
         // Nothing is held while the function is computed.
         let result = item.map(&of);
-        place().result = result;
+        slot().result = result;
     });
-    let done = places
-        .into_iter()
-        .filter_map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner).result);
+    let done =
+        slots.into_iter().filter_map(|slot| slot.into_inner().unwrap_or_else(PoisonError::into_inner).result);
     done.collect()
 }
 
 /// An item, until it is taken, and its result, once there is one.
-struct Place<T, R> {
+struct Slot<T, R> {
     item: Option<T>,
     result: Option<R>,
 }
