@@ -214,11 +214,8 @@ impl Sources {
             let whole: Path = import.iter().chain(rest).cloned().collect();
             return self.target(at, &whole, depth);
         }
-        let found = own.globs.iter().filter_map(|glob| match self.target(at, glob, depth)? {
-            Target::File(_) => self.inside(&self.module(at, glob)?, path, depth),
-            Target::External(_) => None,
-        });
-        found.take(1).next()
+        // Only modules of this crate: where other crates lead is not asked, and would be asked again by every such import.
+        own.globs.iter().find_map(|glob| self.inside(&self.module(at, glob)?, path, depth))
     }
 
     /// The module that a path in a module leads to, if it is one of this crate.
