@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use grazing_beyond::attractors::{BeyondAttractors, Map, STARTS, Stretch};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
+use grazing_reproduction::forced;
 use grazing_trials::closed_form;
 use grazing_trials::random::Random;
 use grazing_trials::simulation::settled;
@@ -18,8 +19,7 @@ const COARSE: BeyondAttractors = BeyondAttractors { columns: 61, rows: 37 };
 
 /// The paper's oscillator at a place (amplitude, frequency).
 fn oscillator([amplitude, frequency]: [f64; 2]) -> LinearOscillator {
-    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
-    LinearOscillator::new(zeta, epsilon, amplitude, frequency).expect("it is one")
+    forced(&theory(), amplitude, frequency).expect("it is one")
 }
 
 /// The stable, admissible p-loop MPS at a place, in closed form.

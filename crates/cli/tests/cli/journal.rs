@@ -170,11 +170,12 @@ fn latex_sets_all_figures_and_tables_at_every_width_without_an_overfull_box() {
 
 #[test]
 fn latex_sets_what_is_unfolded_whatever_it_is_called_and_counted_in() {
-    let duffing = edited(&narrow_linear(), "", "name", "name = 'R&D: 50 % of a_b {雪} ~ $x$ \\ #1^2'");
+    let oscillator = edited(&narrow_linear(), "", "name", "name = 'R&D: 50 % of a_b {雪} ~ $x$ \\ #1^2'");
     let folder = project("");
-    let duffing = edited(&duffing, "[primary]", "range", "range = [0.2, 0.4]\nunit = 'µN^2/m %'");
+    let oscillator = edited(&oscillator, "[primary]", "range", "range = [0.2, 0.4]\nunit = 'µN^2/m %'");
     let units = "[units]\nlength = 'mm'\ntime = 's'\n";
-    fs::write(folder.path().join("a #1%.toml"), format!("{duffing}\n{units}")).expect("the folder is ours");
+    fs::write(folder.path().join("a #1%.toml"), format!("{oscillator}\n{units}"))
+        .expect("the folder is ours");
     let arguments = ["unfold", "a #1%.toml", "--format", "tex", "--columns", "one", "--output", "results"];
     let made = grazing(folder.path(), &arguments);
     assert_eq!(made.code, Some(0), "{}", made.messages);

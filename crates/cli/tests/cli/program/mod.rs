@@ -189,19 +189,18 @@ pub(crate) fn quick_parameters() -> String {
 /// The Duffing oscillator of examples/ in ranges with a single resonance of p = 3 and without its
 /// one-parameter diagram, to save time.
 pub(crate) fn narrow_duffing() -> String {
-    narrow(&example("duffing"), "range = [0.95, 1.0]")
+    narrow(&duffing(), "range = [0.95, 1.0]")
 }
 
 /// That oscillator with a linear spring in place of the cubic one, likewise: its motion has a closed form, which saves
 /// more time.
 pub(crate) fn narrow_linear() -> String {
-    let linear = example("duffing").replace("- x - kappa*x^3", "- (1 + kappa)*x");
-    narrow(&linear, "range = [0.85, 0.95]")
+    let force = "force = \"-2*zeta*v - (1 + kappa)*x - 1 + A*cos(omega*t)\"";
+    narrow(&edited(&duffing(), "[motion]", "force", force), "range = [0.85, 0.95]")
 }
 
-fn example(name: &str) -> String {
-    let path = repository().join(format!("examples/{name}.toml"));
-    fs::read_to_string(path).expect("it is among the examples")
+fn duffing() -> String {
+    fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is among the examples")
 }
 
 fn narrow(whole: &str, secondary: &str) -> String {

@@ -66,8 +66,7 @@ pub(crate) fn theory() -> grazing_theorems::LinearOscillator {
 
 /// The paper's oscillator with its forcing.
 fn forced(amplitude: f64, frequency: f64) -> LinearOscillator {
-    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
-    LinearOscillator::new(zeta, epsilon, amplitude, frequency).expect("it is in the domain")
+    grazing_reproduction::forced(&theory(), amplitude, frequency).expect("it is in the domain")
 }
 
 /// All MPSs of the paper's oscillator from the quadratic equation.
