@@ -31,7 +31,7 @@ use crate::sequences;
 pub use finished::Keep;
 use resonance::curves_from;
 pub use resonance::{AtResonance, CurveFinding, Curves, curves, straightened_at};
-pub(crate) use tables::slopes;
+pub(crate) use tables::measured;
 pub use tables::{CheckedHypothesis, CoefficientRow, GrazingLoopRow, GrazingRow};
 
 /// The analysis of an oscillator: its diagram and, at every resonance where a theorem holds,

@@ -3,8 +3,8 @@
 use grazing_continuation::bifurcation::CodimensionTwo;
 use serde::{Deserialize, Serialize};
 
-use crate::table::Row;
-use crate::{Cell, Column, Dimension, Dimensioned, Field, Frame, VARIED, columns, tables, words};
+use crate::resonance::{Coefficients, Measured, Quantities};
+use crate::{Cell, Column, Dimension, Dimensioned, Frame, Row, VARIED, columns, rows, tables, words};
 
 words! {
     /// How a resonance of a member was found.
@@ -32,51 +32,33 @@ words! {
     }
 }
 
-/// Row types of members, which begin with the values of the constants that vary.
-macro_rules! of_members {
-    ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)* })+) => {$(
-        $(#[$meta])*
-        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-        pub struct $row {
-            /// The values of the constants that vary; with fewer than three constants the first entries
-            /// are NaN.
-            pub varied: [f64; VARIED],
-            $(
-                #[doc = concat!("[`", stringify!($column), "`](columns::", stringify!($column), ")")]
-                pub $field: $type,
-            )*
-        }
+/// The values of the constants that vary, in the file's units; with fewer than three constants the first are NaN.
+impl Row for [f64; VARIED] {
+    const COLUMNS: &'static [Column] = &[columns::VARIED_1, columns::VARIED_2, columns::VARIED_3];
 
-        impl Row for $row {
-            const COLUMNS: &'static [Column] =
-                &[columns::VARIED_1, columns::VARIED_2, columns::VARIED_3, $(columns::$column,)*];
-
-            fn cells(&self) -> Vec<Cell> {
-                let mut cells = Vec::from(self.varied.map(Cell::from));
-                cells.extend([$(Cell::from(self.$field.clone()),)*]);
-                cells
-            }
-        }
-
-        /// The constants that vary are in the file's units.
-        impl Dimensioned for $row {
-            fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
-                $(self.$field.number(&mut |number| visit(columns::$column.dimension, number));)*
-            }
-        }
-    )+};
+    fn cells(&self) -> Vec<Cell> {
+        self.map(Cell::from).into()
+    }
 }
 
-of_members! {
+impl Dimensioned for [f64; VARIED] {
+    fn each_number(&mut self, _: &mut dyn FnMut(Dimension, &mut f64)) {}
+}
+
+rows! {
     /// A member of a family.
+    #[derive(Serialize, Deserialize)]
     Member {
+        varied: [f64; VARIED],
         resonances: u32 = RESONANCES,
         points: u32 = POINTS,
         missing: String = MEMBER_REASON,
     }
 
     /// A resonance of a member.
+    #[derive(Serialize, Deserialize)]
     Resonance {
+        varied: [f64; VARIED],
         loops: u32 = LOOPS,
         wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
@@ -85,31 +67,20 @@ of_members! {
         secondary: f64 = SECONDARY_AT_RESONANCE,
         primary: f64 = PRIMARY_AT_GRAZING,
         phase: f64 = GRAZING_PHASE,
-        s_plus: f64 = S_PLUS,
-        s_minus: f64 = S_MINUS,
-        c_sn: f64 = C_SN,
-        c_pd: f64 = C_PD,
-        c_sn_error: f64 = C_SN_ERROR,
-        c_pd_error: f64 = C_PD_ERROR,
-        c_sn_fit: f64 = C_SN_FIT,
-        c_pd_fit: f64 = C_PD_FIT,
+        coefficients: Coefficients,
+        measured: Measured,
         sn_verdict: String = SN_VERDICT,
         pd_verdict: String = PD_VERDICT,
-        tau: f64 = TAU,
-        delta: f64 = DELTA,
-        alpha: f64 = ALPHA,
-        beta: f64 = BETA,
-        gamma: f64 = GAMMA,
-        xi: f64 = XI,
-        a12_prime: f64 = A12_PRIME,
-        kappa_prime: f64 = KAPPA_PRIME,
+        quantities: Quantities,
         pd_criticality: f64 = PD_CRITICALITY,
         holds: bool = THEOREM_HOLDS,
         failing: String = FAILING,
     }
 
     /// A codimension-two point of a member other than a resonance.
+    #[derive(Serialize, Deserialize)]
     Point {
+        varied: [f64; VARIED],
         kind: CodimensionTwo = CODIMENSION_TWO,
         loops: u32 = LOOPS,
         wall: u32 = WALL,
@@ -120,7 +91,9 @@ of_members! {
     }
 
     /// A resonance on its curve between one member and the next.
+    #[derive(Serialize, Deserialize)]
     CurvePoint {
+        varied: [f64; VARIED],
         loops: u32 = LOOPS,
         wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
@@ -128,15 +101,14 @@ of_members! {
         arc: u32 = ARC,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
-        s_plus: f64 = S_PLUS,
-        s_minus: f64 = S_MINUS,
-        c_sn: f64 = C_SN,
-        c_pd: f64 = C_PD,
+        coefficients: Coefficients,
         end: String = FAMILY_END,
     }
 
     /// A degenerate resonance between two members.
+    #[derive(Serialize, Deserialize)]
     Degenerate {
+        varied: [f64; VARIED],
         loops: u32 = LOOPS,
         wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,

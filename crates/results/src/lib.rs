@@ -13,6 +13,7 @@
 //! |---|---|
 //! | [`plane`] | two-parameter diagrams and magnifications: Figures 7 and 8, and those of any oscillator |
 //! | [`branches`] | Figure 2 |
+//! | [`resonance`] | what all tables of resonances have |
 //! | [`family`] | resonances as constants of an oscillator vary |
 //! | [`measured`] | measurements beside a diagram, and what is identified from them |
 //! | [`place`] | the behaviour of an oscillator at one point of the parameter plane |
@@ -37,8 +38,10 @@ mod names;
 pub mod place;
 pub mod plane;
 pub mod readings;
+pub mod resonance;
 pub mod space;
-mod table;
+#[doc(hidden)]
+pub mod table;
 pub mod title;
 
 pub use cell::{Cell, Stability, brief};

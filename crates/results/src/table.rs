@@ -115,35 +115,77 @@ pub trait Tables {
 }
 
 /// Declares row types: each field with its type and its column, whose dimension is that of the field's number
-/// ([`Dimensioned`](crate::Dimensioned)).
+/// ([`Dimensioned`](crate::Dimensioned)); a field without a column is a row whose columns stand in its place.
 #[macro_export]
 macro_rules! rows {
-    ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)+ })+) => {$(
+    ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty $(= $column:ident)?,)+ })+) => {$(
         $(#[$meta])*
         #[derive(Clone, Debug, PartialEq)]
         pub struct $row {
             $(
-                #[doc = concat!("[`", stringify!($column), "`](grazing_results::columns::", stringify!($column), ")")]
+                #[doc = $crate::rows!(@doc $type $(, $column)?)]
                 pub $field: $type,
             )+
         }
 
         impl $crate::Row for $row {
-            const COLUMNS: &'static [$crate::Column] = &[$($crate::columns::$column,)+];
+            const COLUMNS: &'static [$crate::Column] = {
+                const PARTS: &[&[$crate::Column]] = &[$($crate::rows!(@columns $type $(, $column)?),)+];
+                &$crate::table::joined::<{ $crate::table::count(PARTS) }>(PARTS)
+            };
 
             fn cells(&self) -> Vec<$crate::Cell> {
-                vec![$(self.$field.clone().into(),)+]
+                let mut cells = Vec::with_capacity(Self::COLUMNS.len());
+                $($crate::rows!(@cells cells, self.$field $(, $column)?);)+
+                cells
             }
         }
 
         impl $crate::Dimensioned for $row {
             fn each_number(&mut self, visit: &mut dyn FnMut($crate::Dimension, &mut f64)) {
-                $($crate::Field::number(&mut self.$field, &mut |number| {
-                    visit($crate::columns::$column.dimension, number);
-                });)+
+                $($crate::rows!(@numbers visit, self.$field $(, $column)?);)+
             }
         }
     )+};
+    (@doc $type:ty, $column:ident) => {
+        concat!("[`", stringify!($column), "`](grazing_results::columns::", stringify!($column), ")")
+    };
+    (@doc $type:ty) => { concat!("The columns of `", stringify!($type), "`.") };
+    (@columns $type:ty, $column:ident) => { &[$crate::columns::$column] };
+    (@columns $type:ty) => { <$type as $crate::Row>::COLUMNS };
+    (@cells $cells:ident, $field:expr, $column:ident) => { $cells.push($field.clone().into()) };
+    (@cells $cells:ident, $field:expr) => { $cells.extend($crate::Row::cells(&$field)) };
+    (@numbers $visit:ident, $field:expr, $column:ident) => {
+        $crate::Field::number(&mut $field, &mut |number| $visit($crate::columns::$column.dimension, number))
+    };
+    (@numbers $visit:ident, $field:expr) => { $crate::Dimensioned::each_number(&mut $field, $visit) };
+}
+
+/// The number of columns of all parts of a row.
+#[doc(hidden)]
+pub const fn count(parts: &[&[Column]]) -> usize {
+    let (mut count, mut part) = (0, 0);
+    while part < parts.len() {
+        count += parts[part].len();
+        part += 1;
+    }
+    count
+}
+
+/// The columns of all parts of a row, in order.
+#[doc(hidden)]
+pub const fn joined<const COUNT: usize>(parts: &[&[Column]]) -> [Column; COUNT] {
+    let mut columns = [parts[0][0]; COUNT];
+    let (mut place, mut part) = (0, 0);
+    while part < parts.len() {
+        let mut index = 0;
+        while index < parts[part].len() {
+            columns[place] = parts[part][index];
+            (place, index) = (place + 1, index + 1);
+        }
+        part += 1;
+    }
+    columns
 }
 
 /// Implements [`Row`](crate::Row) for a type with other uses: each column with its value, after

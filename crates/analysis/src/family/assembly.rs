@@ -141,8 +141,8 @@ fn panels(plan: &Plan, description: &Description, family: &Family) -> Vec<Panel>
         let points = family.points.iter().filter(move |row| row.loops == loops);
         let secondary = resonances.clone().map(|row| row.secondary).chain(curves.map(|row| row.secondary));
         let secondary = padded(secondary.chain(points.map(|row| row.secondary)), MARGIN);
-        let sn = typical(resonances.clone().map(|row| row.c_sn));
-        let pd = typical(resonances.map(|row| row.c_pd));
+        let sn = typical(resonances.clone().map(|row| row.coefficients.c_sn));
+        let pd = typical(resonances.map(|row| row.coefficients.c_pd));
         [(Shows::Secondary, secondary), (Shows::SaddleNode, sn), (Shows::PeriodDoubling, pd)]
             .into_iter()
             .filter_map(move |(shows, y)| Some(Panel { loops, shows, frame: Frame { x, y: y? } }))

@@ -1,15 +1,15 @@
 //! The results for one member of a family.
 
-use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::mps::unknown;
 use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
+use grazing_results::resonance::{Coefficients, Measured};
 use grazing_results::{Dimensioned, VARIED};
+use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use grazing_unfold::diagram::CodimensionTwoPoint;
 use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
 use grazing_unfold::resonances;
@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Plan, Tell};
 use crate::plane::lost;
-use crate::unfolded::{self, Prepared, slopes};
+use crate::unfolded::{self, Prepared, measured};
 
 /// The results for a member of a family: its own rows, and its resonances followed towards its
 /// neighbours. Curves and arcs are numbered when all records are available.
@@ -206,15 +206,14 @@ impl Rows {
         match &resonance.theorem {
             Ok(theorem) => {
                 let known = coefficients(theorem).map(|known| known.in_units(&self.units));
-                let [sn, pd] = known.into_array();
-                (row.c_sn, row.c_pd) = (sn.theorem.value, pd.theorem.value);
-                (row.c_sn_error, row.c_pd_error) = (sn.theorem.error, pd.theorem.error);
-                (row.c_sn_fit, row.c_pd_fit) = (sn.measured().value, pd.measured().value);
+                (row.coefficients.c_sn, row.coefficients.c_pd) =
+                    (known.saddle_node.theorem.value, known.period_doubling.theorem.value);
+                row.measured = measured(&known);
                 [row.sn_verdict, row.pd_verdict] =
-                    [sn, pd].map(|coefficient| coefficient.verdict().name().to_owned());
+                    known.map(|coefficient| coefficient.verdict().name().to_owned()).into_array();
             }
             Err(violated) => {
-                (row.c_sn, row.c_pd, row.holds) = (f64::NAN, f64::NAN, false);
+                (row.coefficients.c_sn, row.coefficients.c_pd, row.holds) = (f64::NAN, f64::NAN, false);
                 let failing = violated.violated().map(|failing| failing.in_units(&self.units).to_string());
                 row.failing = failing.collect::<Vec<_>>().join("; ");
             }
@@ -232,9 +231,7 @@ impl Rows {
         (n, found_by): (u32, FoundBy),
     ) -> Resonance {
         let [primary, secondary] = parameters;
-        let (map, stability) = (&point.grazing.map, point.stability_coefficients());
-        let [a12_prime, kappa_prime] = slopes(point);
-        let [c_sn, c_pd] = by_the_theorem(point);
+        let coefficients = Coefficients::from(point);
         let row = Resonance {
             varied,
             loops: point.loops(),
@@ -245,26 +242,13 @@ impl Rows {
             secondary,
             primary,
             phase,
-            s_plus: stability.plus,
-            s_minus: stability.minus,
-            c_sn,
-            c_pd,
-            c_sn_error: f64::NAN,
-            c_pd_error: f64::NAN,
-            c_sn_fit: f64::NAN,
-            c_pd_fit: f64::NAN,
+            holds: coefficients.c_sn.is_finite(),
+            coefficients,
+            measured: Measured::NOT,
             sn_verdict: String::new(),
             pd_verdict: String::new(),
-            tau: map.trace(),
-            delta: map.determinant(),
-            alpha: point.grazing.alpha(),
-            beta: map.transversality(),
-            gamma: point.grazing.gamma,
-            xi: point.second_phase_derivative,
-            a12_prime,
-            kappa_prime,
+            quantities: point.into(),
             pd_criticality: point.limit_map().criticality(),
-            holds: c_sn.is_finite(),
             failing: String::new(),
         };
         row.with_dimensions(&self.units)
@@ -297,15 +281,14 @@ impl Rows {
         let curve = |at: &ArcPoint| {
             let [primary, secondary] = parameters(at);
             let varied = varied(at.way);
-            let stability = at.point.stability_coefficients();
-            let [mut c_sn, mut c_pd] = by_the_theorem(&at.point);
+            let mut coefficients = Coefficients::from(&at.point);
             // An infinite coefficient is written as NaN.
             let meaning = at.zero.map(meaning);
             if matches!(meaning, Some(Degeneracy::InfiniteSaddleNode | Degeneracy::Infinite)) {
-                c_sn = f64::NAN;
+                coefficients.c_sn = f64::NAN;
             }
             if matches!(meaning, Some(Degeneracy::InfinitePeriodDoubling | Degeneracy::Infinite)) {
-                c_pd = f64::NAN;
+                coefficients.c_pd = f64::NAN;
             }
             let row = CurvePoint {
                 varied,
@@ -316,10 +299,7 @@ impl Rows {
                 arc: 0,
                 secondary,
                 primary,
-                s_plus: stability.plus,
-                s_minus: stability.minus,
-                c_sn,
-                c_pd,
+                coefficients,
                 end: String::new(),
             };
             row.with_dimensions(&self.units)
@@ -352,14 +332,6 @@ impl Rows {
         };
         Way { from: arc.resonance, to, curve, degenerate: degenerate.collect() }
     }
-}
-
-/// c_SN and c_PD by Theorem 2.4 or 2.5; NaN where its hypotheses fail.
-fn by_the_theorem(point: &ResonantPoint) -> [f64; 2] {
-    let Ok(theorem) = ResonantGrazing::check(point, f64::INFINITY) else { return [f64::NAN; 2] };
-    Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
-        .map(|curve| curve.coefficient)
-        .into_array()
 }
 
 /// The consequence of a zero of this quantity of the hypotheses.

@@ -5,12 +5,14 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_model::ImpactOscillator;
-use grazing_results::{Stability, row};
+use grazing_results::resonance::{Coefficients, Measured, Quantities, slopes};
+use grazing_results::{Stability, row, rows};
 use grazing_theorems::hypothesis::Hypothesis;
-use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding, auxiliary};
+use grazing_theorems::{GrazingPoint, ResonantPoint, auxiliary};
 use grazing_unfold::units::InUnits;
+use grazing_unfold::verdict::Coefficient;
 
-use super::{AtResonance, CurveFinding, Curves, Unfolded};
+use super::{AtResonance, Curves, Unfolded};
 
 /// A point of the grazing curve, with the grazing orbit and the Poincaré map around it.
 #[derive(Clone, Copy, Debug)]
@@ -104,71 +106,80 @@ row! { GrazingLoopRow, |row| {
     S_MINUS = stability.minus,
 ] }
 
-/// a₁₂' for p = 1 or κ_p' for p ≥ 2; the other is NaN.
-pub(crate) fn slopes(point: &ResonantPoint) -> [f64; 2] {
-    let Unfolding { loops, derivative } = point.unfolding;
-    if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] }
+rows! {
+    /// A resonance at which the theorem holds, with the results for its SN and PD curves, and c_2GZ as
+    /// measured.
+    CoefficientRow {
+        loops: u32 = LOOPS,
+        wall: u32 = WALL,
+        n: u32 = RESONANCE_INDEX,
+        secondary: f64 = SECONDARY_AT_RESONANCE,
+        primary: f64 = PRIMARY_AT_GRAZING,
+        coefficients: Coefficients,
+        measured: Measured,
+        c_sn_fit_error: f64 = C_SN_FIT_ERROR,
+        c_pd_fit_error: f64 = C_PD_FIT_ERROR,
+        sn_verdict: &'static str = SN_VERDICT,
+        sn_reason: String = SN_REASON,
+        pd_verdict: &'static str = PD_VERDICT,
+        pd_reason: String = PD_REASON,
+        quantities: Quantities,
+        sigma: f64 = SIGMA,
+        pd_criticality: f64 = PD_CRITICALITY,
+        c_2gz: f64 = C_2GZ,
+        c_2gz_fit: f64 = C_2GZ_FIT,
+        sn_as_simulated: &'static str = SN_AS_SIMULATED,
+        sn_simulation_reason: String = SN_SIMULATION_REASON,
+        pd_as_simulated: &'static str = PD_AS_SIMULATED,
+        pd_simulation_reason: String = PD_SIMULATION_REASON,
+    }
 }
 
-/// A resonance at which the theorem holds, with the results for its SN and PD curves, and c_2GZ as
-/// measured.
-#[derive(Clone, Debug)]
-pub struct CoefficientRow(AtResonance, Pair<CurveFinding>, f64, u32);
+/// What was measured of the coefficients.
+pub(crate) fn measured(known: &Pair<Coefficient>) -> Measured {
+    let Pair { saddle_node: sn, period_doubling: pd } = known;
+    Measured {
+        c_sn_error: sn.theorem.error,
+        c_pd_error: pd.theorem.error,
+        c_sn_fit: sn.measured().value,
+        c_pd_fit: pd.measured().value,
+    }
+}
 
 /// The resonances at which a theorem holds.
 pub(super) fn coefficients(unfolded: &Unfolded) -> Vec<CoefficientRow> {
     let row = |(at, curves): (&AtResonance, &Curves)| {
-        CoefficientRow(at.clone(), curves.findings, curves.doubled_grazing, unfolded.diagram.wall)
+        let (point, known) = (&at.point, curves.findings.map(|finding| finding.coefficient));
+        let Pair { saddle_node: sn, period_doubling: pd } = known;
+        let simulated = curves.findings.map(|finding| finding.simulated);
+        let [_, _, sigma] = point.limit_map().numbers();
+        CoefficientRow {
+            loops: at.loops,
+            wall: unfolded.diagram.wall,
+            n: at.n,
+            secondary: at.parameters[1],
+            primary: at.parameters[0],
+            coefficients: Coefficients { c_sn: sn.theorem.value, c_pd: pd.theorem.value, ..point.into() },
+            measured: measured(&known),
+            c_sn_fit_error: sn.measured().error,
+            c_pd_fit_error: pd.measured().error,
+            sn_verdict: sn.verdict().name(),
+            sn_reason: sn.verdict().reason(),
+            pd_verdict: pd.verdict().name(),
+            pd_reason: pd.verdict().reason(),
+            quantities: point.into(),
+            sigma,
+            pd_criticality: point.limit_map().criticality(),
+            c_2gz: point.doubled_grazing_coefficient(),
+            c_2gz_fit: curves.doubled_grazing,
+            sn_as_simulated: simulated.saddle_node.name(),
+            sn_simulation_reason: simulated.saddle_node.reason(),
+            pd_as_simulated: simulated.period_doubling.name(),
+            pd_simulation_reason: simulated.period_doubling.reason(),
+        }
     };
     unfolded.unfolding().map(row).collect()
 }
-
-row! { CoefficientRow, |this| {
-    let CoefficientRow(row, findings, doubled_grazing, wall) = this;
-    let point = &row.point;
-    let [_, _, sigma] = point.limit_map().numbers();
-    let stability = point.stability_coefficients();
-    let [a12_prime, kappa_prime] = slopes(point);
-    let [sn, pd] = findings.map(|known| known.coefficient).into_array();
-    let [sn_verdict, pd_verdict] = [sn.verdict(), pd.verdict()];
-    let [sn_side, pd_side] = findings.map(|known| known.simulated).into_array();
-} [
-    LOOPS = row.loops,
-    WALL = *wall,
-    RESONANCE_INDEX = row.n,
-    SECONDARY_AT_RESONANCE = row.parameters[1],
-    PRIMARY_AT_GRAZING = row.parameters[0],
-    S_PLUS = stability.plus,
-    S_MINUS = stability.minus,
-    C_SN = sn.theorem.value,
-    C_PD = pd.theorem.value,
-    C_SN_ERROR = sn.theorem.error,
-    C_PD_ERROR = pd.theorem.error,
-    C_SN_FIT = sn.measured().value,
-    C_PD_FIT = pd.measured().value,
-    C_SN_FIT_ERROR = sn.measured().error,
-    C_PD_FIT_ERROR = pd.measured().error,
-    SN_VERDICT = sn_verdict.name(),
-    SN_REASON = sn_verdict.reason(),
-    PD_VERDICT = pd_verdict.name(),
-    PD_REASON = pd_verdict.reason(),
-    TAU = point.grazing.map.trace(),
-    DELTA = point.grazing.map.determinant(),
-    ALPHA = point.grazing.alpha(),
-    BETA = point.grazing.map.transversality(),
-    GAMMA = point.grazing.gamma,
-    XI = point.second_phase_derivative,
-    A12_PRIME = a12_prime,
-    KAPPA_PRIME = kappa_prime,
-    SIGMA = sigma,
-    PD_CRITICALITY = point.limit_map().criticality(),
-    C_2GZ = point.doubled_grazing_coefficient(),
-    C_2GZ_FIT = *doubled_grazing,
-    SN_AS_SIMULATED = sn_side.name(),
-    SN_SIMULATION_REASON = sn_side.reason(),
-    PD_AS_SIMULATED = pd_side.name(),
-    PD_SIMULATION_REASON = pd_side.reason(),
-] }
 
 /// A hypothesis of the theorem at a resonance, whether or not all of them hold.
 #[derive(Clone, Debug)]

@@ -107,8 +107,8 @@ fn curves(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String
         line.extend([rows.len().to_string(), range(rows, &|row| row.varied[slot])]);
         line.extend([
             range(rows, &|row| row.secondary),
-            range(rows, &|row| row.c_sn),
-            range(rows, &|row| row.c_pd),
+            range(rows, &|row| row.coefficients.c_sn),
+            range(rows, &|row| row.coefficients.c_pd),
         ]);
         line
     });

@@ -127,8 +127,9 @@ fn draw_panel(
         panel.draw_series(panel.curve(&[(value, low), (value, high)], GUIDE))?;
     }
     // Curves for the first values of the other constants are drawn last, above the rest.
-    let mut strands =
-        strands(family, shown.loops, |row| (varied(row).0, up(row.secondary, row.c_sn, row.c_pd)));
+    let mut strands = strands(family, shown.loops, |row| {
+        (varied(row).0, up(row.secondary, row.coefficients.c_sn, row.coefficients.c_pd))
+    });
     strands.sort_by_key(|(first, _)| {
         core::cmp::Reverse(others.iter().position(|other| *other == varied(first).1))
     });
@@ -144,7 +145,7 @@ fn draw_panel(
     longest.reverse();
     for row in family.resonances.iter().filter(|row| row.loops == shown.loops) {
         let (value, other) = across(row.varied, count);
-        let place = (value, up(row.secondary, row.c_sn, row.c_pd));
+        let place = (value, up(row.secondary, row.coefficients.c_sn, row.coefficients.c_pd));
         if panel.frame.contains(place) {
             panel.draw_series([Disc::new(place, MEMBER_RADIUS, Paint::opaque(shade(&other)), None)])?;
         }
@@ -252,6 +253,7 @@ fn pale(colour: Colour, share: f64) -> Colour {
 mod tests {
     use grazing_results::Frame;
     use grazing_results::family::Point;
+    use grazing_results::resonance::Coefficients;
 
     use super::*;
     use crate::tests::samples::WIDTHS;
@@ -275,10 +277,12 @@ mod tests {
                     arc: number as u32 * 4 + k.min(39) / 10,
                     secondary: f64::from(n) / f64::from(loops + 1) + 0.2 * share * share + 0.05 * other,
                     primary: 0.5,
-                    s_plus: 1.0,
-                    s_minus: 1.0,
-                    c_sn: -2.0 * scale / pole,
-                    c_pd: 40.0 * scale * (1.0 + share * f64::from(n)),
+                    coefficients: Coefficients {
+                        s_plus: 1.0,
+                        s_minus: 1.0,
+                        c_sn: -2.0 * scale / pole,
+                        c_pd: 40.0 * scale * (1.0 + share * f64::from(n)),
+                    },
                     end: String::new(),
                 };
                 if k % 10 == 0 {

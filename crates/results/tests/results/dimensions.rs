@@ -3,11 +3,12 @@
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::smooth::Units;
 use grazing_results::branches::{PortraitKind, PortraitPoint};
-use grazing_results::family::{Degeneracy, Degenerate};
+use grazing_results::family::{CurvePoint, Degeneracy, Degenerate};
 use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::place::PlaceAttractor;
 use grazing_results::plane::{PlanePoint, SequenceResonance, StraightenedPoint};
 use grazing_results::readings::Reading;
+use grazing_results::resonance::Coefficients;
 use grazing_results::{Column, Dimension, Dimensioned, Row, Stability, columns};
 
 /// Units that are powers of four, as those of oscillators are.
@@ -163,6 +164,20 @@ fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_
     measured.exchange();
     let MeasuredPoint { primary, primary_error, secondary, secondary_error, .. } = measured;
     assert_eq!([primary, primary_error, secondary, secondary_error], [0.7, 0.01, 0.3, 0.02]);
+    // Rows within a row are converted, too; the constants that vary have units of their own.
+    let on_curve = CurvePoint {
+        varied: [1.0, 2.0, 3.0],
+        loops: 1,
+        wall: 0,
+        n: 3,
+        curve: 1,
+        arc: 2,
+        secondary: 0.7,
+        primary: 0.3,
+        coefficients: Coefficients { s_plus: 0.6, s_minus: 0.5, c_sn: -280.9, c_pd: 610.2 },
+        end: String::new(),
+    };
+    assert_converted(&on_curve);
     let degenerate = Degenerate {
         varied: [f64::NAN, f64::NAN, 0.02],
         loops: 1,
@@ -176,7 +191,6 @@ fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_
     };
     let converted = degenerate.clone().with_dimensions(&UNITS);
     assert_eq!([converted.primary, converted.secondary], [0.3 * UNITS.primary, 0.7 * UNITS.secondary]);
-    // The constants that vary have units of their own.
     assert_eq!(converted.varied[2], degenerate.varied[2]);
 }
 
