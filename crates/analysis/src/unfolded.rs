@@ -28,7 +28,7 @@ pub use crate::described::{AtWall, Prepared, from_each_wall, levels, prepared};
 use crate::one_parameter;
 use crate::plane::{self, Axes, own_header};
 use crate::sequences;
-pub use finished::Keep;
+pub use finished::{Draft, Keep};
 use resonance::curves_from;
 pub use resonance::{AtResonance, CurveFinding, Curves, curves, straightened_at};
 pub(crate) use tables::measured;
@@ -85,8 +85,8 @@ pub fn axes(description: &Description) -> Axes {
 }
 
 impl Unfolded {
-    /// Analyses an oscillator from a text file; `stop` cancels the analysis, and `keep` receives curves
-    /// as they are finished.
+    /// Analyses an oscillator from a text file; `stop` cancels the analysis, and `keep` receives what
+    /// is known so far, now and then.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
@@ -181,8 +181,7 @@ impl Unfolded {
 
     /// The results for a diagram of which grazing curves and resonances are located, in the units of `axes`.
     fn of_located(located: Diagram, axes: Axes, progress: &dyn Progress, keep: Keep<'_>) -> Self {
-        let followed = finished::follow(&axes, &located, progress, keep);
-        let mut diagram = located.with(followed, progress);
+        let mut diagram = finished::complete(&axes, located, progress, keep);
         let units = axes.units;
         let what = "coefficients and magnifications";
         progress.begin(what, diagram.unfolding().count() as u64);

@@ -77,15 +77,16 @@ pub(crate) fn read(arguments: &arguments::Unfold) -> Result<Vec<Plan<'_>>, Failu
 fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> {
     let edition = arguments.look.edition();
     let paths = oscillator::ALL.iter().flat_map(|output| output.paths(&edition));
-    let paths: Vec<PathBuf> = paths.chain([PathBuf::from(PAGE), keeper::path()]).collect();
+    let paths: Vec<PathBuf> = paths.chain([PathBuf::from(PAGE)]).chain(keeper::paths()).collect();
     let OscillatorFile { file, description, taken, .. } = &task.of;
     let (file, heading) = (file.clone(), listing::oscillator(terminal::layout(), description, file));
+    let of = (file.clone(), description.clone());
     let limits = (arguments.limits.over(description.limits()), *taken);
     let to = folder.clone();
     let compute = move |running: &Running<'_>| {
-        let keeper = Keeper::new(&to);
+        let keeper = Keeper::new(&to, (&of.0, of.1), edition.columns, keeper::PAUSE);
         let prepare = |of: &OscillatorFile, stop: &Stop| Ok(of.prepared(stop));
-        let diagram = unfold(task, &prepare, running, &|table| keeper.keep(table))?;
+        let diagram = unfold(task, &prepare, running, &|draft| keeper.keep(draft))?;
         let (files, left_out) = diagram.files(&edition, running)?;
         let failure = if diagram.met.is_some() {
             let outcome = "the unfinished parts are named above; everything else is written";
@@ -109,7 +110,7 @@ fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> 
         Ok(Outcome {
             text,
             batches: vec![Batch { incomplete, ..Batch::run(folder, files) }],
-            obsolete: vec![folder.join(keeper::path())],
+            obsolete: keeper::paths().map(|path| folder.join(path)).into(),
             next: Next::Look,
             failure,
             ..Outcome::default()

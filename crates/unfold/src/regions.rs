@@ -53,13 +53,15 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 pub(crate) const STAGE: &str = "regions";
 
 /// The regions of the MPSs of each p with the requested curves, where nothing is decided if the computation
-/// was cancelled early; bifurcation curves found to be missing on the way are added.
+/// was cancelled early; bifurcation curves found to be missing on the way are added. `finished` receives p,
+/// curves and regions as soon as the regions of a p are decided.
 pub(crate) fn of_mps(
     oscillator: &AnyOscillator,
     (scope, asked): (&Scope, &[Level]),
     grazing: &[GrazingCurve],
     nets: &mut [Net],
     progress: &dyn Progress,
+    finished: &(dyn Fn(u32, &[DiagramCurve], &[Region]) + Sync),
 ) -> Vec<(Option<Vec<Region>>, Levels)> {
     let window = scope.window;
     let levels = levels(window);
@@ -73,6 +75,11 @@ pub(crate) fn of_mps(
         let mut survey = Survey::new(net, scope, grazing, found);
         survey.look_outside(&about, &beyond);
         let regions = decided(window, &mut survey, &levels, progress);
+        if let Some(regions) = &regions
+            && !progress.stopped()
+        {
+            finished(loops, survey.curves(), regions);
+        }
         let levels = survey.levels(asked, progress);
         progress.step(STAGE);
         (regions, if progress.stopped() { Levels::default() } else { levels })

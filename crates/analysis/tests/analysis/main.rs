@@ -1,6 +1,7 @@
 //! Tests of rows that are computed from diagrams and places, and of reasons
 //! why there are none.
 
+mod family;
 mod finished;
 mod known_motion;
 mod nothing;

@@ -41,7 +41,10 @@ fn an_interrupted_run_keeps_the_curves_that_were_finished_and_the_next_says_so()
     });
     run.kill().expect("it still runs");
     run.wait().expect("it ends");
-    assert_eq!(listing(&folder.path().join("unfolded/duffing")), ["data", "data/curves.unfinished.csv"]);
+    // On a busy machine there is a picture, too.
+    let mut left = listing(&folder.path().join("unfolded/duffing"));
+    left.retain(|name| name != "diagram.unfinished.svg");
+    assert_eq!(left, ["data", "data/curves.unfinished.csv"]);
     let finished = fs::read_to_string(&kept).expect("it is whole");
 
     fs::write(folder.path().join("duffing.toml"), narrow_duffing()).expect("the folder is ours");
