@@ -4,8 +4,9 @@
 //! leads to it. What bounds it leaves a resonance, as everything else does: so the grazing curve is followed
 //! beyond the window, and the curves of the nearest resonances there back to it.
 
+use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, CurvePoint, Event, Window};
+use grazing_continuation::curve::{Curve, CurvePoint, Event, Route, Window};
 use grazing_continuation::mps::LoopEquations;
 use grazing_model::ImpactOscillator;
 
@@ -62,7 +63,7 @@ pub(crate) fn entering(
         .collect();
     outside.sort_by(|a, b| a.0.total_cmp(&b.0));
     outside.truncate(NEAREST);
-    let route = drawn(about.window);
+    let route = leading(about.window);
     let mut net = Net::new(equations.clone());
     for (_, resonance) in &outside {
         let Some(unfolded) = resonance.theorem.as_ref().ok().and_then(|point| point.unfold(&route).ok())
@@ -79,6 +80,17 @@ pub(crate) fn entering(
     let inside = |curve: &DiagramCurve| curve.within(scope.window);
     net.curves.iter().flat_map(inside).filter_map(|piece| middle(&piece.curve, scope.window)).collect()
 }
+
+/// The route of curves that only lead into the window, and are not drawn.
+fn leading(window: Window) -> Route<'static> {
+    let route = drawn(window);
+    let StepControl { longest, turn, .. } = route.control;
+    let control = StepControl { longest: LONGER * longest, turn: LONGER * turn, ..route.control };
+    Route { control, ..route }
+}
+
+/// How much longer steps are there.
+const LONGER: f64 = 3.0;
 
 /// How far parameters are from a window, as a fraction of its ranges; 0 inside.
 fn distance(window: Window, parameters: [f64; 2]) -> f64 {

@@ -5,7 +5,7 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
 use grazing_results::Table;
-use grazing_results::plane::PlaneDiagram;
+use grazing_results::plane::{PlaneDiagram, PlanePoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::progress::Progress;
@@ -13,17 +13,18 @@ use grazing_unfold::progress::Progress;
 use crate::plane::{self, Axes};
 
 /// What is known of a diagram so far.
-pub struct Draft {
+pub struct Draft<'a> {
     /// The table `curves` with the grazing curves and the curves of the resonances finished so far, in the
     /// order of the complete table, of which it is the beginning.
     pub curves: Table,
-    /// The diagram, in which regions that are not decided yet are undecided.
-    pub plane: PlaneDiagram,
+    /// Makes the diagram, in which regions that are not decided yet are undecided, without the phases on its
+    /// bifurcation curves, which are not drawn and take long to compute.
+    pub plane: &'a dyn Fn() -> PlaneDiagram,
 }
 
 /// A callback that receives what is known of a diagram so far: whenever a resonance's curves are finished, once all
 /// of them are, and whenever the regions of a p are decided.
-pub type Keep<'a> = &'a (dyn Fn(&Draft) + Sync);
+pub type Keep<'a> = &'a (dyn Fn(&Draft<'_>) + Sync);
 
 /// What becomes known: the curves of a resonance, with its index in the diagram's list, or more of the
 /// diagram.
@@ -53,22 +54,36 @@ pub(super) fn complete(axes: &Axes, located: Diagram, progress: &dyn Progress, k
 }
 
 fn pass_on(axes: &Axes, known: &Diagram, news: &Receiver<News>, keep: Keep<'_>) {
-    let mut finished = BTreeMap::new();
+    let rows = |curve: &DiagramCurve| plane::bifurcation_rows(axes, known, curve);
+    let before = plane::grazing_rows(axes, known).into_iter().chain(known.curves.iter().map(rows));
+    let before: Vec<Vec<PlanePoint>> = before.collect();
+    let mut finished: BTreeMap<usize, Vec<(DiagramCurve, Vec<PlanePoint>)>> = BTreeMap::new();
     let mut whole: Option<Box<Diagram>> = None;
     for one in news {
         match one {
-            News::Curves(resonance, curves) => _ = finished.insert(resonance, curves),
+            News::Curves(resonance, curves) => {
+                let curves = curves.into_iter().map(|curve| (curve.clone(), rows(&curve)));
+                finished.insert(resonance, curves.collect());
+            }
             News::Diagram(diagram) => whole = Some(diagram),
         }
-        let mut listed: Vec<&DiagramCurve> = Vec::new();
+        let mut listed: Vec<&(DiagramCurve, Vec<PlanePoint>)> = Vec::new();
         for candidate in finished.values().flatten() {
-            if !listed.iter().any(|curve| curve.is_same(candidate)) {
+            if !listed.iter().any(|(curve, _)| curve.is_same(&candidate.0)) {
                 listed.push(candidate);
             }
         }
-        let followed = known.draft(listed.into_iter().cloned());
-        let curves = Table::new("curves", &axes.names, &plane::curves(axes, &followed));
-        let shown = whole.as_deref().unwrap_or(&followed);
-        keep(&Draft { curves, plane: plane::plane_diagram(axes, (shown, None), Vec::new(), Vec::new()) });
+        let all = plane::numbered(before.iter().chain(listed.iter().map(|(_, rows)| rows)).cloned());
+        let curves = Table::new("curves", &axes.names, &all);
+        let plane = || {
+            let followed = || known.draft(listed.iter().map(|(curve, _)| curve.clone()));
+            // Phases count from those of the grazing curves.
+            let shown = Diagram { grazing: Vec::new(), ..whole.as_deref().cloned().unwrap_or_else(followed) };
+            let plane = plane::plane_diagram(axes, (&shown, None), Vec::new(), Vec::new());
+            let others = plane.curves.chunk_by(|a, b| a.arc == b.arc).map(<[PlanePoint]>::to_vec);
+            let grazing = before[..known.grazing.len()].iter().cloned();
+            PlaneDiagram { curves: plane::numbered(grazing.chain(others)), ..plane }
+        };
+        keep(&Draft { curves, plane: &plane });
     }
 }

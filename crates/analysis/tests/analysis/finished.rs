@@ -19,7 +19,7 @@ fn every_finished_resonance_and_then_the_regions_of_every_p_are_handed_on_until_
     let scope = Scope { window, loops: vec![2, 3], start: None };
     let kept = Mutex::new(Vec::new());
     let keep =
-        |draft: &Draft| kept.lock().expect("nobody panics").push((draft.curves.clone(), draft.plane.clone()));
+        |draft: &Draft<'_>| kept.lock().expect("nobody panics").push((draft.curves.clone(), (draft.plane)()));
     let unfolded = Unfolded::compute(&oscillator, (&scope, Vec::new()), Axes::of_the_paper(), &Silent, &keep)
         .expect("there is grazing in the window");
     let (tables, planes): (Vec<_>, Vec<_>) = kept.into_inner().expect("nobody panicked").into_iter().unzip();

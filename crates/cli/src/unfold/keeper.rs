@@ -73,7 +73,7 @@ impl Keeper {
 
     /// Writes what is known. The computation goes on if that fails: in the end all files may well be
     /// written.
-    pub(super) fn keep(&self, draft: &Draft) {
+    pub(super) fn keep(&self, draft: &Draft<'_>) {
         let is_due = self.is_due();
         let written = self
             .files(draft, is_due)
@@ -103,14 +103,14 @@ impl Keeper {
         is_due
     }
 
-    fn files(&self, draft: &Draft, with_picture: bool) -> Result<Vec<OutputFile>, String> {
+    fn files(&self, draft: &Draft<'_>, with_picture: bool) -> Result<Vec<OutputFile>, String> {
         let [table, picture] = paths();
         let content = tables::csv(&draft.curves).map_err(|error| error.to_string())?;
         let mut files = vec![OutputFile { path: table, content }];
         if with_picture {
             let (of, name) = (self.file.as_path(), self.description.name());
             let named = Named { of, name, names: &self.names, width: self.width };
-            let drawn = named.plane(&draft.plane, self.description.figure().clone());
+            let drawn = named.plane(&(draft.plane)(), self.description.figure().clone());
             let figures = drawn.map_err(|error| error.to_string())?.figures.into_iter();
             files.extend(figures.map(|figure| OutputFile {
                 path: picture.clone(),
@@ -138,14 +138,13 @@ mod tests {
             .replace("range = [0.3, 1.1]", "range = [0.6, 0.7]")
             .replace("loops = [1, 2, 3]", "loops = [1]");
         let file = Path::new("paper.toml");
-        let description =
-            Description::parse(&narrow, "paper.toml").unwrap_or_else(|error| panic!("{error}"));
+        let description = Description::parse(&narrow, "paper.toml").unwrap_or_else(|error| panic!("{error}"));
         for (pause, is_drawn) in [(Duration::ZERO, true), (Duration::MAX, false)] {
             let folder = tempfile::tempdir().expect("a temporary folder can be made");
             let of = (file, description.clone());
             let keeper = Keeper::new(folder.path(), of, SheetWidth::default(), pause);
             let pictures = Mutex::new(Vec::new());
-            let keep = |draft: &Draft| {
+            let keep = |draft: &Draft<'_>| {
                 keeper.keep(draft);
                 let picture = fs::read_to_string(folder.path().join(PICTURE)).unwrap_or_default();
                 pictures.lock().expect("nobody panics").push(picture);
