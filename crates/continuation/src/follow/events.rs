@@ -172,6 +172,12 @@ impl<O: ImpactOscillator> Step<'_, O> {
             point = self.located_near(sought, point, &mut times)?;
             solution = equations.solution(&point);
         }
+        // At y = 0 the maxima of all loops touch the wall, so Newton's method may end there.
+        let stopped = equations.has_impacts() && point.lowest_velocity().1 <= NO_VELOCITY;
+        if condition == Condition::InteriorGrazing && stopped {
+            let distance = equations.gap(&before.point, &point).norm();
+            return Err(LocateFailure::Elsewhere { distance, step: self.length() });
+        }
         if sought == Condition::SecondInteriorGrazing {
             // The curve that can start from there is that of the second maximum.
             core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);

@@ -55,6 +55,15 @@ fn what_is_found_in_a_part_of_a_window_is_what_the_closed_form_has_there() {
 }
 
 #[test]
+fn a_curve_beside_grazing_ends_where_another_maximum_touches_the_wall_and_not_at_rest() {
+    // A crescent of 1e-5 of the range, about a resonance. At y = 0, beside its curves, all maxima touch the wall.
+    let window = Window { primary: [0.5356, 1.0336], secondary: [0.2864, 0.6559] };
+    let outcome = lines::compare([0.12527, 0.3474], window, &[3], 500, &mut Random::new(31));
+    assert!(outcome.wrong.is_empty(), "{:?}", outcome.wrong);
+    assert_eq!(outcome.hatched, 0.0);
+}
+
+#[test]
 fn what_enters_a_window_from_a_resonance_outside_of_it_is_found() {
     // A crescent of two loops lies between two of the first slices, and its resonance at 0.84.
     let window = Window { primary: [0.732, 0.79], secondary: [0.389, 1.088] };
