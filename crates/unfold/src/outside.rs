@@ -19,17 +19,23 @@ use crate::resonances::{self, Resonance};
 /// The most resonances outside a window whose curves are followed, those nearest to it.
 const NEAREST: usize = 4;
 
-/// The scope with as much room again on every side, but not as far as zero.
+/// The least room to either side of a range of μ, as a share of its values: resonances lie along the grazing
+/// curve, on which μ changes by as much as its value while η does.
+const LEAST_ROOM: f64 = 0.25;
+
+/// The scope with as much room again on every side, in μ with more if the range is narrow, but not as far as zero.
 pub(crate) fn about(scope: &Scope) -> Scope {
-    let wider = |[low, high]: [f64; 2]| {
-        let [below, above] = [2.0 * low - high, 2.0 * high - low];
+    let wider = |[low, high]: [f64; 2], least: f64| {
+        let room = (high - low).max(least * low.abs().max(high.abs()));
+        let [below, above] = [low - room, high + room];
         [
             if low > 0.0 { below.max(0.5 * low) } else { below },
             if high < 0.0 { above.min(0.5 * high) } else { above },
         ]
     };
     let Window { primary, secondary } = scope.window;
-    Scope { window: Window { primary: wider(primary), secondary: wider(secondary) }, ..scope.clone() }
+    let window = Window { primary: wider(primary, LEAST_ROOM), secondary: wider(secondary, 0.0) };
+    Scope { window, ..scope.clone() }
 }
 
 /// The grazing curves that leave a window, beyond it.
