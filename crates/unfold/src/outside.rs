@@ -21,7 +21,7 @@ const NEAREST: usize = 4;
 
 /// The least room to either side of a range of μ, as a share of its values: resonances lie along the grazing
 /// curve, on which μ changes by as much as its value while η does.
-const LEAST_ROOM: f64 = 0.25;
+const LEAST_ROOM: f64 = 0.75;
 
 /// The scope with as much room again on every side, in μ with more if the range is narrow, but not as far as zero.
 pub(crate) fn about(scope: &Scope) -> Scope {

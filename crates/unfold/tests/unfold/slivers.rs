@@ -65,12 +65,19 @@ fn a_curve_beside_grazing_ends_where_another_maximum_touches_the_wall_and_not_at
 
 #[test]
 fn what_enters_a_window_from_a_resonance_outside_of_it_is_found() {
-    // A crescent of two loops lies between two of the first slices, and its resonance at 0.84.
-    let window = Window { primary: [0.732, 0.79], secondary: [0.389, 1.088] };
-    let mut random = Random::new(5);
-    let outcome = lines::compare([0.02209, 0.5089], window, &[1, 2, 3], 500, &mut random);
-    assert!(outcome.wrong.is_empty(), "{:?}", outcome.wrong);
-    assert_eq!(outcome.hatched, 0.0);
+    // A crescent of two loops lies between two of the first slices, and its resonance at 0.84; the others are the corner of a
+    // crescent of three loops, and a tongue of one loop, whose resonances are farther from a narrow window than it is wide.
+    let cases = [
+        ([0.02209, 0.5089], [0.732, 0.79], [0.389, 1.088]),
+        ([0.23053, 0.4492], [0.4207, 0.4489], [0.2765, 1.0645]),
+        ([0.00461, 0.4187], [0.3438, 0.5848], [0.3133, 1.1286]),
+    ];
+    for (constants, primary, secondary) in cases {
+        let window = Window { primary, secondary };
+        let outcome = lines::compare(constants, window, &[1, 2, 3], 500, &mut Random::new(5));
+        assert!(outcome.wrong.is_empty(), "{constants:?}: {:?}", outcome.wrong);
+        assert_eq!(outcome.hatched, 0.0);
+    }
 }
 
 #[test]
