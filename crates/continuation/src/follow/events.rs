@@ -116,8 +116,13 @@ impl<O: ImpactOscillator> Step<'_, O> {
         let mut located = Vec::new();
         for event in changes(past, now) {
             let condition = EVENTS[event];
-            let found = self.event(condition, beyond);
-            match found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)) {
+            let found = match self.event(condition, beyond) {
+                Ok(found) if self.is_trivial(condition, &found.0) => {
+                    Ok(self.event_closer(event, past[event]).unwrap_or(found))
+                }
+                found => found.or_else(|failure| self.event_closer(event, past[event]).ok_or(failure)),
+            };
+            match found {
                 // For real multipliers a product of 1 is no bifurcation.
                 Ok((solution, _)) if condition == Condition::TORUS && !solution.multipliers.complex() => {}
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
@@ -172,12 +177,6 @@ impl<O: ImpactOscillator> Step<'_, O> {
             point = self.located_near(sought, point, &mut times)?;
             solution = equations.solution(&point);
         }
-        // At y = 0 the maxima of all loops touch the wall, so Newton's method may end there.
-        let stopped = equations.has_impacts() && point.lowest_velocity().1 <= NO_VELOCITY;
-        if condition == Condition::InteriorGrazing && stopped {
-            let distance = equations.gap(&before.point, &point).norm();
-            return Err(LocateFailure::Elsewhere { distance, step: self.length() });
-        }
         if sought == Condition::SecondInteriorGrazing {
             // The curve that can start from there is that of the second maximum.
             core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
@@ -195,8 +194,17 @@ impl<O: ImpactOscillator> Step<'_, O> {
         };
         self.cut(comes_later, |part| {
             let beyond = equations.solution(&part.after.point);
-            part.event(EVENTS[event], &beyond).ok()
+            let found = part.event(EVENTS[event], &beyond).ok();
+            found.filter(|(solution, _)| !self.is_trivial(EVENTS[event], solution))
         })
+    }
+
+    /// Whether an event holds trivially: at y = 0 the maxima of all loops touch the wall, and Newton's method
+    /// may end there although another maximum touches it on the step.
+    fn is_trivial(&self, event: Condition, solution: &PeriodicSolution) -> bool {
+        event == Condition::InteriorGrazing
+            && self.followed.equations.has_impacts()
+            && solution.unknowns.lowest_velocity().1 <= NO_VELOCITY
     }
 
     /// Cuts the step repeatedly about a point that lies in it until that point is located.
