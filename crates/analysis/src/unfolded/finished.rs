@@ -40,8 +40,9 @@ pub(super) fn complete(axes: &Axes, located: Diagram, progress: &dyn Progress, k
     let known = located.clone();
     thread::scope(|scope| {
         // A separate thread: a worker that follows curves would start on those of another resonance while
-        // it waits for the threads of the tables library.
-        scope.spawn(move || pass_on(axes, &known, &news, keep));
+        // it waits for the threads of the tables library. Where there is no room for it nothing is told early.
+        let listener = thread::Builder::new().name("drafts".to_owned());
+        let _ = listener.spawn_scoped(scope, move || pass_on(axes, &known, &news, keep));
         // The sender is dropped when all is computed, and the thread then ends; it outlives the sender.
         let sender = sender;
         let followed = located.follow(progress, &|resonance, curves: &[DiagramCurve]| {
