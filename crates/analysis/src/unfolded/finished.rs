@@ -68,6 +68,10 @@ fn pass_on(axes: &Axes, known: &Diagram, news: &Receiver<News>, keep: Keep<'_>) 
             }
             News::Diagram(diagram) => whole = Some(diagram),
         }
+        // Where there is nothing to unfold nothing is told, as there will be no results either.
+        if whole.as_deref().unwrap_or(known).nothing().is_some() {
+            continue;
+        }
         let mut listed: Vec<&(DiagramCurve, Vec<PlanePoint>)> = Vec::new();
         for candidate in finished.values().flatten() {
             if !listed.iter().any(|(curve, _)| curve.is_same(&candidate.0)) {
