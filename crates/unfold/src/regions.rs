@@ -52,16 +52,19 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
+/// Receives p, curves and regions of its MPSs.
+pub(crate) type Decided<'a> = &'a (dyn Fn(u32, &[DiagramCurve], &[Region]) + Sync);
+
 /// The regions of the MPSs of each p with the requested curves, where nothing is decided if the computation
-/// was cancelled early; bifurcation curves found to be missing on the way are added. `finished` receives p,
-/// curves and regions as soon as the regions of a p are decided.
+/// was cancelled early; bifurcation curves found to be missing on the way are added. `finished` receives
+/// each p as soon as its regions are decided.
 pub(crate) fn of_mps(
     oscillator: &AnyOscillator,
     (scope, asked): (&Scope, &[Level]),
     grazing: &[GrazingCurve],
     nets: &mut [Net],
     progress: &dyn Progress,
-    finished: &(dyn Fn(u32, &[DiagramCurve], &[Region]) + Sync),
+    finished: Decided<'_>,
 ) -> Vec<(Option<Vec<Region>>, Levels)> {
     let window = scope.window;
     let levels = levels(window);
