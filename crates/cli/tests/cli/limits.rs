@@ -254,12 +254,14 @@ fn limited(folder: &Path, limits: &str, arguments: &[&str]) -> (Option<i32>, Str
 #[test]
 fn limits_of_the_shell_end_a_run_with_a_message_and_what_can_be_written() {
     let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
-    // Whatever the address space, no signal ends the program.
+    // Whatever the address space, no signal ends the program. On a busy machine an allocation may fail before
+    // the limit is seen to be near, and Rust says so.
     for kilobytes in [150_000, 250_000, 400_000] {
         let (limit, output) = (format!("-v {kilobytes}"), format!("of-{kilobytes}"));
         let line = ["--jobs", "1", "--step-limit", "3e5", "--output", &output];
         let (code, told) = limited(folder.path(), &limit, &line);
-        assert!(code == Some(3) && told.contains("error: "), "{kilobytes}: {code:?} {told}");
+        let is_said = ["error: ", "memory allocation of "].iter().any(|words| told.contains(words));
+        assert!(code == Some(3) && is_said, "{kilobytes}: {code:?} {told}");
     }
     // Of files that are too long the others are kept.
     let (code, told) = limited(folder.path(), "-f 40", &["--output", "short"]);
