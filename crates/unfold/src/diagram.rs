@@ -1,9 +1,6 @@
 //! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and
 //! codimension-two points.
 
-mod drafts;
-
-use drafts::Drafts;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
@@ -18,7 +15,7 @@ use crate::levels::{Level, LevelCurve, Levels};
 use crate::non_impacting::{self, NonImpacting};
 use crate::parallel;
 use crate::progress::Progress;
-use crate::regions::{self, Region};
+use crate::regions::{self, Decided, Region};
 use crate::resonances::{self, Resonance, Unlocated};
 use crate::unfinished::Unfinished;
 use crate::{Scope, UnfoldError};
@@ -226,36 +223,16 @@ impl Diagram {
     /// everything that follows from them: the curves that begin where they end, those to which no
     /// resonance leads, and the regions.
     pub fn with(self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
-        self.completed(followed, progress, None)
+        self.with_drafts(followed, progress, &|_, _, _| ())
     }
 
-    /// The same; `drafts` receives what the diagram shows so far, once all curves from resonances are
-    /// known and whenever the regions of a p are decided. What is not decided yet is
-    /// [`NotFinished`](regions::Doubt::NotFinished).
+    /// The same; `decided` receives, p by p, curves and regions as they are known: once all curves from resonances
+    /// are known, with nothing decided, and again as soon as the regions of a p are decided.
     pub fn with_drafts(
-        self,
-        followed: Vec<Followed>,
-        progress: &dyn Progress,
-        drafts: &(dyn Fn(Diagram) + Sync),
-    ) -> Self {
-        self.completed(followed, progress, Some(drafts))
-    }
-
-    /// The diagram with these curves, and no regions of MPSs decided: what it shows while curves are followed.
-    #[must_use]
-    pub fn draft(&self, curves: impl IntoIterator<Item = DiagramCurve>) -> Self {
-        let mut draft = self.clone();
-        draft.curves.extend(curves);
-        let open = self.scope.loops.iter().map(|loops| Region::not_finished(self.scope.window, *loops));
-        draft.regions.extend(open);
-        draft
-    }
-
-    fn completed(
         mut self,
         followed: Vec<Followed>,
         progress: &dyn Progress,
-        drafts: Option<&(dyn Fn(Diagram) + Sync)>,
+        decided: Decided<'_>,
     ) -> Self {
         let known = self.nets(followed);
         let mut nets = known.clone();
@@ -263,14 +240,12 @@ impl Diagram {
         self.follow_iterated(&mut nets);
         self.grow(&mut nets);
         let grazing = [self.grazing.as_slice(), &self.doubled].concat();
-        let drafts = drafts.map(|receive| Drafts::begin(&self, &nets, receive));
-        let decided = |loops, curves: &[DiagramCurve], regions: &[Region]| {
-            if let Some(drafts) = &drafts {
-                drafts.decided(loops, curves, regions);
-            }
-        };
+        for net in &nets {
+            let open = Region::not_finished(self.scope.window, net.loops());
+            decided(net.loops(), &net.curves, &[open]);
+        }
         let asked = (&self.scope, self.asked.as_slice());
-        let of_mps = regions::of_mps(&self.oscillator, asked, &grazing, &mut nets, progress, &decided);
+        let of_mps = regions::of_mps(&self.oscillator, asked, &grazing, &mut nets, progress, decided);
         if progress.stopped() {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }

@@ -20,7 +20,8 @@ use crate::resonances::{self, Resonance};
 const NEAREST: usize = 4;
 
 /// The least room to either side of a range of μ, as a share of its values: resonances lie along the grazing
-/// curve, on which μ changes by as much as its value while η does.
+/// curve, on which μ changes by as much as its value while η does (empirical: of 1,680 random windows two needed a
+/// quarter and a half).
 const LEAST_ROOM: f64 = 0.75;
 
 /// The scope with as much room again on every side, in μ with more if the range is narrow, but not as far as zero.
@@ -95,7 +96,7 @@ fn leading(window: Window) -> Route<'static> {
     Route { control, ..route }
 }
 
-/// How much longer steps are there.
+/// How much longer steps are there (empirical: in 1,680 random windows they lead to the same regions).
 const LONGER: f64 = 3.0;
 
 /// How far parameters are from a window, as a fraction of its ranges; 0 inside.

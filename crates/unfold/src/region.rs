@@ -69,7 +69,7 @@ pub struct Region {
 
 impl Region {
     /// The whole window as undecided, because the computation was cancelled.
-    pub(crate) fn not_finished(window: Window, loops: u32) -> Self {
+    pub fn not_finished(window: Window, loops: u32) -> Self {
         let ([left, right], [low, high]) = (window.primary, window.secondary);
         let border = vec![[left, low], [right, low], [right, high], [left, high]];
         Self { loops, n: 0, rings: vec![border], doubt: Some(Doubt::NotFinished) }

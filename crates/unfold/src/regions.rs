@@ -53,7 +53,7 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 pub(crate) const STAGE: &str = "regions";
 
 /// Receives p, curves and regions of its MPSs.
-pub(crate) type Decided<'a> = &'a (dyn Fn(u32, &[DiagramCurve], &[Region]) + Sync);
+pub type Decided<'a> = &'a (dyn Fn(u32, &[DiagramCurve], &[Region]) + Sync);
 
 /// The regions of the MPSs of each p with the requested curves, where nothing is decided if the computation
 /// was cancelled early; bifurcation curves found to be missing on the way are added. `finished` receives

@@ -9,6 +9,7 @@ use grazing_results::plane::{PlaneDiagram, PlanePoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::progress::Progress;
+use grazing_unfold::regions::Region;
 
 use crate::plane::{self, Axes};
 
@@ -22,15 +23,15 @@ pub struct Draft<'a> {
     pub plane: &'a dyn Fn() -> PlaneDiagram,
 }
 
-/// A callback that receives what is known of a diagram so far: whenever a resonance's curves are finished, once all
-/// of them are, and whenever the regions of a p are decided.
+/// A callback that receives what is known of a diagram so far: whenever the curves of a resonance are finished, all
+/// curves of a p, or its regions.
 pub type Keep<'a> = &'a (dyn Fn(&Draft<'_>) + Sync);
 
-/// What becomes known: the curves of a resonance, with its index in the diagram's list, or more of the
-/// diagram.
+/// What becomes known: the curves of a resonance, with its index in the diagram's list, or all curves and the
+/// regions of a p.
 enum News {
     Curves(usize, Vec<DiagramCurve>),
-    Diagram(Box<Diagram>),
+    Decided(u32, Vec<DiagramCurve>, Vec<Region>),
 }
 
 /// Follows the curves of a diagram whose resonances are located, decides its regions, and passes on what is
@@ -48,8 +49,8 @@ pub(super) fn complete(axes: &Axes, located: Diagram, progress: &dyn Progress, k
         let followed = located.follow(progress, &|resonance, curves: &[DiagramCurve]| {
             let _ = sender.send(News::Curves(resonance, curves.to_vec()));
         });
-        located.with_drafts(followed, progress, &|draft| {
-            let _ = sender.send(News::Diagram(Box::new(draft)));
+        located.with_drafts(followed, progress, &|loops, curves: &[DiagramCurve], regions: &[Region]| {
+            let _ = sender.send(News::Decided(loops, curves.to_vec(), regions.to_vec()));
         })
     })
 }
@@ -59,17 +60,25 @@ fn pass_on(axes: &Axes, known: &Diagram, news: &Receiver<News>, keep: Keep<'_>) 
     let before = plane::grazing_rows(axes, known).into_iter().chain(known.curves.iter().map(rows));
     let before: Vec<Vec<PlanePoint>> = before.collect();
     let mut finished: BTreeMap<usize, Vec<(DiagramCurve, Vec<PlanePoint>)>> = BTreeMap::new();
-    let mut whole: Option<Box<Diagram>> = None;
+    let open = |loops: &u32| (*loops, (Vec::new(), vec![Region::not_finished(known.scope.window, *loops)]));
+    let mut decided: BTreeMap<u32, (Vec<DiagramCurve>, Vec<Region>)> =
+        known.scope.loops.iter().map(open).collect();
     for one in news {
         match one {
             News::Curves(resonance, curves) => {
                 let curves = curves.into_iter().map(|curve| (curve.clone(), rows(&curve)));
                 finished.insert(resonance, curves.collect());
             }
-            News::Diagram(diagram) => whole = Some(diagram),
+            News::Decided(loops, curves, regions) => _ = decided.insert(loops, (curves, regions)),
+        }
+        // Phases count from those of the grazing curves.
+        let mut shown = Diagram { grazing: Vec::new(), ..known.clone() };
+        for (curves, regions) in known.scope.loops.iter().filter_map(|loops| decided.get(loops)) {
+            shown.curves.extend(curves.iter().cloned());
+            shown.regions.extend(regions.iter().cloned());
         }
         // Where there is nothing to unfold nothing is told, as there will be no results either.
-        if whole.as_deref().unwrap_or(known).nothing().is_some() {
+        if shown.nothing().is_some() {
             continue;
         }
         let mut listed: Vec<&(DiagramCurve, Vec<PlanePoint>)> = Vec::new();
@@ -80,10 +89,10 @@ fn pass_on(axes: &Axes, known: &Diagram, news: &Receiver<News>, keep: Keep<'_>) 
         }
         let all = plane::numbered(before.iter().chain(listed.iter().map(|(_, rows)| rows)).cloned());
         let curves = Table::new("curves", &axes.names, &all);
+        // Until all curves of a p are known those of its resonances are shown.
+        let is_open = |curve: &DiagramCurve| decided.get(&curve.loops).is_none_or(|(all, _)| all.is_empty());
+        shown.curves.extend(listed.iter().map(|(curve, _)| curve.clone()).filter(is_open));
         let plane = || {
-            let followed = || known.draft(listed.iter().map(|(curve, _)| curve.clone()));
-            // Phases count from those of the grazing curves.
-            let shown = Diagram { grazing: Vec::new(), ..whole.as_deref().cloned().unwrap_or_else(followed) };
             let plane = plane::plane_diagram(axes, (&shown, None), Vec::new(), Vec::new());
             let others = plane.curves.chunk_by(|a, b| a.arc == b.arc).map(<[PlanePoint]>::to_vec);
             let grazing = before[..known.grazing.len()].iter().cloned();

@@ -24,8 +24,8 @@ fn every_finished_resonance_and_then_the_regions_of_every_p_are_handed_on_until_
         .expect("there is grazing in the window");
     let (tables, planes): (Vec<_>, Vec<_>) = kept.into_inner().expect("nobody panicked").into_iter().unzip();
     let resonances = unfolded.resonances.len();
-    // One more when all curves are known, and one for each p.
-    assert_eq!(tables.len(), resonances + 1 + scope.loops.len());
+    // For each p one more when all curves are known, and one when its regions are.
+    assert_eq!(tables.len(), resonances + 2 * scope.loops.len());
     assert!(resonances > 1 && tables.iter().all(|table| table.name == "curves"));
     let whole = unfolded.plane_diagram();
     let all = Table::new("curves", &unfolded.axes.names, &whole.curves);
@@ -43,7 +43,7 @@ fn every_finished_resonance_and_then_the_regions_of_every_p_are_handed_on_until_
         scope.loops.iter().filter(is_open).count()
     };
     let counts: Vec<usize> = planes.iter().map(open).collect();
-    let (before, after) = counts.split_at(resonances + 1);
+    let (before, after) = counts.split_at(resonances + scope.loops.len());
     assert!(before.iter().all(|count| *count == 2) && after == [1, 0], "{counts:?}");
     // In the end the regions are those of the whole diagram, in the same order.
     let last = planes.last().expect("there are some");

@@ -139,6 +139,7 @@ mod tests {
             .replace("loops = [1, 2, 3]", "loops = [1]");
         let file = Path::new("paper.toml");
         let description = Description::parse(&narrow, "paper.toml").unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!((description.loops(), description.secondary().range()), (&[1][..], [0.6, 0.7]));
         for (pause, is_drawn) in [(Duration::ZERO, true), (Duration::MAX, false)] {
             let folder = tempfile::tempdir().expect("a temporary folder can be made");
             let of = (file, description.clone());
