@@ -6,8 +6,8 @@ use grazing_model::ImpactOscillator;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_results::plane::{
-    MagnifiedPanel, MagnifiedPoint, OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, Section, SpecialPoint,
-    StraightenedCurves, StraightenedPoint,
+    MagnifiedPanel, MagnifiedPoint, OnCurve, OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, Section,
+    SpecialPoint, StraightenedCurves, StraightenedPoint, Vertex,
 };
 use grazing_results::{Dimensioned, Frame, Names, Stability, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
@@ -67,9 +67,12 @@ pub fn plane_diagram(
     };
     if let Some(other) = other {
         all.curves.retain(|row| is_shown(row, first.wall));
-        let arcs = all.curves.last().map_or(0, |row| row.arc + 1);
+        let arcs = all.curves.last().map_or(0, |row| row.at.arc + 1);
         let own = curves(axes, other).into_iter().filter(|row| is_shown(row, other.wall));
-        all.curves.extend(own.map(|row| PlanePoint { arc: arcs + row.arc, ..row }));
+        all.curves.extend(own.map(|mut row| {
+            row.at.arc += arcs;
+            row
+        }));
         all.points.extend(points(axes, other).into_iter().filter(|row| counts(row.loops, other.wall)));
         let regions = all.regions.last().map_or(0, |row| row.region);
         let own = regions_of(axes, other).into_iter().filter(|row| counts(row.loops, other.wall));
@@ -105,7 +108,9 @@ pub fn curves(axes: &Axes, diagram: &Diagram) -> Vec<PlanePoint> {
 pub fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec<PlanePoint> {
     let numbered = (0..).zip(curves);
     numbered
-        .flat_map(|(arc, curve)| curve.into_iter().map(move |point| PlanePoint { arc, ..point }))
+        .flat_map(|(arc, curve)| {
+            curve.into_iter().map(move |point| PlanePoint { at: OnCurve { arc, ..point.at }, ..point })
+        })
         .collect()
 }
 
@@ -121,20 +126,22 @@ pub fn grazing_rows(axes: &Axes, diagram: &Diagram) -> Vec<Vec<PlanePoint>> {
                 loops: 0,
                 wall,
                 n: 0,
-                secondary,
-                primary,
-                impact_velocity: 0.0,
-                impact_phase: 0.0,
-                trace: map.trace(),
-                determinant: map.determinant(),
-                max_interior_x: f64::NAN,
-                stable: Stability::of(state.multipliers),
-                admissible: state.admissible,
-                arc: 0,
-                lost: String::new(),
+                at: OnCurve {
+                    secondary,
+                    primary,
+                    impact_velocity: 0.0,
+                    impact_phase: 0.0,
+                    trace: map.trace(),
+                    determinant: map.determinant(),
+                    max_interior_x: f64::NAN,
+                    stable: Stability::of(state.multipliers),
+                    admissible: state.admissible,
+                    arc: 0,
+                    lost: String::new(),
+                },
             }
         });
-        with_ends(axes, points, curve.ends.each_ref().map(GrazingEnd::lost))
+        with_ends(&axes.units, points, curve.ends.each_ref().map(GrazingEnd::lost))
     };
     diagram.grazing.iter().map(rows).collect()
 }
@@ -145,45 +152,58 @@ pub fn bifurcation_rows(axes: &Axes, diagram: &Diagram, curve: &DiagramCurve) ->
     let points = curve.curve.points.iter().map(|point| {
         let solution = &point.solution;
         let [velocity, phase] = equations.impact(solution);
-        let [primary, secondary] = solution.parameters();
+        let [_, secondary] = solution.parameters();
+        let phase = diagram.grazing_phase(secondary).map_or(f64::NAN, |graz| centred(phase - graz));
         PlanePoint {
             kind: curve.kind,
             loops: curve.loops,
             wall: if curve.loops > 0 { diagram.wall } else { 0 },
             n: curve.n,
-            secondary,
-            primary,
-            impact_velocity: velocity,
-            impact_phase: diagram.grazing_phase(secondary).map_or(f64::NAN, |graz| centred(phase - graz)),
-            trace: solution.multipliers.trace,
-            determinant: solution.multipliers.determinant,
-            max_interior_x: solution.ceiling(),
-            // At a torus bifurcation the multipliers are on the unit circle by definition.
-            stable: match curve.kind {
-                Bifurcation::Torus => solution.stable().into(),
-                _ => Stability::of(solution.multipliers),
-            },
-            admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
-            arc: 0,
-            lost: String::new(),
+            at: on_curve(curve.kind, solution, [velocity, phase]),
         }
     });
-    with_ends(axes, points, curve.curve.lost())
+    with_ends(&axes.units, points, curve.curve.lost())
 }
 
-/// The dimensionless points of a curve in the units of these axes; the first and the last carry the reason why the curve was
+/// A solution on a curve of this kind, dimensionless, with the velocity and the phase of its impact; the curve has no number yet.
+pub(crate) fn on_curve(
+    kind: Bifurcation,
+    solution: &PeriodicSolution,
+    [velocity, phase]: [f64; 2],
+) -> OnCurve {
+    let [primary, secondary] = solution.parameters();
+    OnCurve {
+        secondary,
+        primary,
+        impact_velocity: velocity,
+        impact_phase: phase,
+        trace: solution.multipliers.trace,
+        determinant: solution.multipliers.determinant,
+        max_interior_x: solution.ceiling(),
+        // At a torus bifurcation the multipliers are on the unit circle by definition.
+        stable: match kind {
+            Bifurcation::Torus => solution.stable().into(),
+            _ => Stability::of(solution.multipliers),
+        },
+        admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
+        arc: 0,
+        lost: String::new(),
+    }
+}
+
+/// The dimensionless points of a curve in these units; the first and the last carry the reason why the curve was
 /// followed no further.
-fn with_ends(
-    axes: &Axes,
+pub(crate) fn with_ends(
+    units: &Units,
     points: impl Iterator<Item = PlanePoint>,
     [first, last]: [Option<String>; 2],
 ) -> Vec<PlanePoint> {
-    let mut points: Vec<PlanePoint> = points.map(|point| point.with_dimensions(&axes.units)).collect();
+    let mut points: Vec<PlanePoint> = points.map(|point| point.with_dimensions(units)).collect();
     if let (Some(point), Some(reason)) = (points.first_mut(), first) {
-        point.lost = reason;
+        point.at.lost = reason;
     }
     if let (Some(point), Some(reason)) = (points.last_mut(), last) {
-        point.lost = reason;
+        point.at.lost = reason;
     }
     points
 }
@@ -200,17 +220,7 @@ pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
             name: name.clone(),
             property: property.clone(),
             loops: point.loops,
-            secondary: point.secondary,
-            primary: point.primary,
-            impact_velocity: point.impact_velocity,
-            impact_phase: point.impact_phase,
-            trace: point.trace,
-            determinant: point.determinant,
-            max_interior_x: point.max_interior_x,
-            stable: point.stable,
-            admissible: point.admissible,
-            arc,
-            lost: point.lost,
+            at: OnCurve { arc, ..point.at },
         }));
     }
     rows
@@ -254,10 +264,7 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
                     loops,
                     wall: 0,
                     n,
-                    secondary,
-                    primary,
-                    ring,
-                    reason: reason.clone(),
+                    at: Vertex { secondary, primary, ring, reason: reason.clone() },
                 };
                 row.with_dimensions(&axes.units)
             }));

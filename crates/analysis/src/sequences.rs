@@ -4,13 +4,16 @@ use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::plane::{
-    PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
+    OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
+    Vertex,
 };
 use grazing_results::{Dimensioned, Stability};
 use grazing_unfold::curves::DiagramCurve;
 use grazing_unfold::generations::{BaseName, LaterResonance};
 use grazing_unfold::regions::Doubt;
 use grazing_unfold::sequences::{Sequence, Sequences};
+
+use crate::plane::{on_curve, with_ends};
 
 /// The rows of solutions with several impacts, in these units, as the wall with this number sees them, if there are two.
 pub fn rows(found: &Sequences, units: &Units, wall: u32) -> SequenceDiagram {
@@ -38,27 +41,16 @@ pub fn hit_both(of: &Sequence) -> bool {
 
 /// The curves of solutions that hit both of two walls, with the numbers that they have among all of [`rows`], but without
 /// phases of impacts.
-pub fn at_both_walls(found: &Sequences, units: &Units, wall: u32) -> Vec<PlanePoint> {
+pub fn at_both_walls(found: &Sequences, units: &Units) -> Vec<PlanePoint> {
     let both = numbered(found).filter(|(_, of, _)| hit_both(of));
-    let rows = both.flat_map(|(arc, of, curve)| points(arc, (of, wall), curve, units));
-    let point = |row: SequencePoint| PlanePoint {
-        kind: row.kind,
-        loops: row.periods,
-        wall: 0,
-        n: 0,
-        secondary: row.secondary,
-        primary: row.primary,
-        impact_velocity: row.impact_velocity,
-        impact_phase: f64::NAN,
-        trace: row.trace,
-        determinant: row.determinant,
-        max_interior_x: row.max_interior_x,
-        stable: row.stable,
-        admissible: row.admissible,
-        arc: row.arc,
-        lost: row.lost,
-    };
-    rows.map(point).collect()
+    let rows = both.flat_map(|(arc, of, curve)| {
+        let point = |solution: &PeriodicSolution| {
+            let at = on_curve(curve.kind, solution, [solution.impact_velocity(), f64::NAN]);
+            PlanePoint { kind: curve.kind, loops: of.periods, wall: 0, n: 0, at: OnCurve { arc, ..at } }
+        };
+        with_ends(units, curve.curve.points.iter().map(|one| point(&one.solution)), curve.curve.lost())
+    });
+    rows.collect()
 }
 
 /// All curves, numbered from 0, each with the solutions that it is of.
@@ -140,10 +132,7 @@ fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units, wall: u32
                     impacts: of.impacts as u32,
                     periods: of.periods,
                     walls: walls(of, wall),
-                    secondary,
-                    primary,
-                    ring,
-                    reason: reason.clone(),
+                    at: Vertex { secondary, primary, ring, reason: reason.clone() },
                 }
                 .with_dimensions(units)
             }));

@@ -260,7 +260,7 @@ impl Unfolded {
         let seen = (&self.diagram, self.other.as_ref().map(|other| &other.diagram));
         PlaneDiagram {
             several: self.sequences().regions,
-            at_both_walls: sequences::at_both_walls(&self.sequences, &self.axes.units, self.diagram.wall),
+            at_both_walls: sequences::at_both_walls(&self.sequences, &self.axes.units),
             ..plane::plane_diagram(&self.axes, seen, panels.collect(), sections.collect())
         }
     }

@@ -11,7 +11,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
-use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, SpecialPoint};
+use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, SpecialPoint, Vertex};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
@@ -156,7 +156,7 @@ impl Shown {
     fn add(&mut self, axes: &Axes, diagram: &Diagram, coarse: bool) {
         let rows = plane::curves(axes, diagram);
         let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
-        let arcs = rows.chunk_by(|a, b| a.arc == b.arc).zip(starts(diagram));
+        let arcs = rows.chunk_by(|a, b| a.at.arc == b.at.arc).zip(starts(diagram));
         self.curves.extend(arcs.filter(|(rows, _)| is_shown(rows, diagram.wall)).map(|(rows, starts)| {
             let first = &rows[0];
             let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
@@ -164,11 +164,11 @@ impl Shown {
             let mut found = curve(rows, *count - 1);
             found["starts"] = json!(starts);
             if !coarse {
-                along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
+                along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
             }
             found
         }));
-        self.curves.extend(plane::own_curves(axes, diagram).chunk_by(|a, b| a.arc == b.arc).map(own));
+        self.curves.extend(plane::own_curves(axes, diagram).chunk_by(|a, b| a.at.arc == b.at.arc).map(own));
         let known = diagram.unfolding().map(|_| Value::Null);
         let known = known.chain(
             diagram
@@ -240,9 +240,12 @@ fn ranks(diagram: &Diagram) -> Vec<u32> {
 fn curve(rows: &[PlanePoint], rank: u32) -> Value {
     let Some(first) = rows.first() else { return Value::Null };
     let wall = first.wall;
-    let bounds = |index: usize| rows[index].admissible && PlanePoint::bounds(rows, index);
-    let points =
-        rows.iter().enumerate().map(|(index, row)| ([row.primary, row.secondary], bounds(index))).unzip();
+    let bounds = |index: usize| rows[index].at.admissible && PlanePoint::bounds(rows, index);
+    let points = rows
+        .iter()
+        .enumerate()
+        .map(|(index, row)| ([row.at.primary, row.at.secondary], bounds(index)))
+        .unzip();
     named(first.kind.name(), [first.loops, first.n, rank], wall, "continuation", points)
 }
 
@@ -274,12 +277,12 @@ fn own(rows: &[OwnPoint]) -> Value {
     let first = &rows[0];
     let points = rows
         .iter()
-        .map(|row| ([row.primary, row.secondary], row.stable.is_stable() && row.admissible))
+        .map(|row| ([row.at.primary, row.at.secondary], row.at.stable.is_stable() && row.at.admissible))
         .unzip();
-    let mut found = named(OWN_CURVE, [first.loops, 0, first.arc], 0, "continuation", points);
+    let mut found = named(OWN_CURVE, [first.loops, 0, first.at.arc], 0, "continuation", points);
     found["name"] = json!(first.name);
     found["property"] = json!(first.property);
-    along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
+    along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
     found
 }
 
@@ -308,15 +311,12 @@ fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
 }
 
 fn region(rows: &[RegionVertex]) -> Value {
-    let rings = rows.chunk_by(|a, b| a.ring == b.ring);
-    let ring =
-        |ring: &[RegionVertex]| ring.iter().map(|row| [row.primary, row.secondary]).collect::<Vec<_>>();
     json!({
         "kind": rows[0].kind.name(),
         "p": rows[0].loops,
         "n": rows[0].n,
-        "rings": rings.map(ring).collect::<Vec<_>>(),
-        "reason": rows[0].reason,
+        "rings": Vertex::rings(rows.iter().map(|row| &row.at)),
+        "reason": rows[0].at.reason,
     })
 }
 
@@ -330,25 +330,22 @@ fn several(
     let found = of_diagram(diagram, generations, progress);
     let regions = sequences::rows(&found, &axes.units, diagram.wall).regions;
     let one = |rows: &[SequenceVertex]| {
-        let rings = rows.chunk_by(|a, b| a.ring == b.ring);
-        let ring =
-            |ring: &[SequenceVertex]| ring.iter().map(|row| [row.primary, row.secondary]).collect::<Vec<_>>();
         let first = &rows[0];
         json!({
             "kind": first.kind.name(),
             "p": first.periods,
             "impacts": first.impacts,
             "walls": first.walls,
-            "rings": rings.map(ring).collect::<Vec<_>>(),
-            "reason": first.reason,
+            "rings": Vertex::rings(rows.iter().map(|row| &row.at)),
+            "reason": first.at.reason,
         })
     };
-    let both = sequences::at_both_walls(&found, &axes.units, diagram.wall);
-    let both = both.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
-        let mut found = curve(rows, rows[0].arc);
+    let both = sequences::at_both_walls(&found, &axes.units);
+    let both = both.chunk_by(|a, b| a.at.arc == b.at.arc).map(|rows| {
+        let mut found = curve(rows, rows[0].at.arc);
         found["key"] =
-            json!(format!("{} {} both walls #{}", rows[0].kind.name(), rows[0].loops, rows[0].arc));
-        along(&mut found, rows.iter().map(|row| ([row.trace, row.determinant], &*row.lost)));
+            json!(format!("{} {} both walls #{}", rows[0].kind.name(), rows[0].loops, rows[0].at.arc));
+        along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
         found
     });
     (regions.chunk_by(|a, b| a.region == b.region).map(one).collect(), both.collect())

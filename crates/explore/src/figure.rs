@@ -118,7 +118,7 @@ impl Seen {
                 let several = of_diagram(&seen[0], description.generations(), progress);
                 let mut all = plane::plane_diagram(&axes, (&seen[0], seen.get(1)), Vec::new(), Vec::new());
                 all.several = sequences::rows(&several, &axes.units, seen[0].wall).regions;
-                all.at_both_walls = sequences::at_both_walls(&several, &axes.units, seen[0].wall);
+                all.at_both_walls = sequences::at_both_walls(&several, &axes.units);
                 all.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
                 Figure::Plane(all, compared)
             }

@@ -31,12 +31,8 @@ words! {
 }
 
 rows! {
-    /// A point of a curve.
-    PlanePoint {
-        kind: Bifurcation = BIFURCATION,
-        loops: u32 = LOOPS,
-        wall: u32 = WALL,
-        n: u32 = RESONANCE_INDEX,
+    /// A place on a curve, with the solution there.
+    OnCurve {
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
         impact_velocity: f64 = IMPACT_VELOCITY,
@@ -50,22 +46,29 @@ rows! {
         lost: String = LOST,
     }
 
+    /// A corner of a region.
+    Vertex {
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        ring: u32 = RING,
+        reason: String = REASON,
+    }
+
+    /// A point of a curve.
+    PlanePoint {
+        kind: Bifurcation = BIFURCATION,
+        loops: u32 = LOOPS,
+        wall: u32 = WALL,
+        n: u32 = RESONANCE_INDEX,
+        at: OnCurve,
+    }
+
     /// A point of a curve that the file requests.
     OwnPoint {
         name: String = CURVE_NAME,
         property: String = PROPERTY,
         loops: u32 = LOOPS,
-        secondary: f64 = SECONDARY,
-        primary: f64 = PRIMARY,
-        impact_velocity: f64 = IMPACT_VELOCITY,
-        impact_phase: f64 = IMPACT_PHASE,
-        trace: f64 = TRACE,
-        determinant: f64 = DETERMINANT,
-        max_interior_x: f64 = MAX_INTERIOR_X,
-        stable: Stability = STABLE,
-        admissible: bool = ADMISSIBLE,
-        arc: u32 = ARC,
-        lost: String = LOST,
+        at: OnCurve,
     }
 
     /// A resonance at which a theorem holds, or another codimension-two point.
@@ -85,10 +88,7 @@ rows! {
         loops: u32 = LOOPS,
         wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
-        secondary: f64 = SECONDARY,
-        primary: f64 = PRIMARY,
-        ring: u32 = RING,
-        reason: String = REASON,
+        at: Vertex,
     }
 
     /// A point of a curve in a magnification about the resonance of p and n.
@@ -145,10 +145,16 @@ rows! {
         impacts: u32 = LATER_IMPACTS,
         periods: u32 = LATER_PERIODS,
         walls: String = LATER_WALLS,
-        secondary: f64 = SECONDARY,
-        primary: f64 = PRIMARY,
-        ring: u32 = RING,
-        reason: String = REASON,
+        at: Vertex,
+    }
+}
+
+impl Vertex {
+    /// The border of a region and those of its holes, as (primary, secondary) in order.
+    pub fn rings<'a>(corners: impl IntoIterator<Item = &'a Self>) -> Vec<Vec<(f64, f64)>> {
+        let corners: Vec<_> = corners.into_iter().collect();
+        let rings = corners.chunk_by(|a, b| a.ring == b.ring);
+        rings.map(|ring| ring.iter().map(|corner| (corner.primary, corner.secondary)).collect()).collect()
     }
 }
 
@@ -159,8 +165,8 @@ impl PlanePoint {
     pub fn bounds(curve: &[Self], index: usize) -> bool {
         let ends = index == 0 || index + 1 == curve.len();
         match curve[index].kind {
-            Bifurcation::NonImpactingGrazing => curve[index].stable.is_stable(),
-            Bifurcation::Grazing => curve[index].stable.is_stable() || ends,
+            Bifurcation::NonImpactingGrazing => curve[index].at.stable.is_stable(),
+            Bifurcation::Grazing => curve[index].at.stable.is_stable() || ends,
             _ => true,
         }
     }

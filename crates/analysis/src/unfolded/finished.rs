@@ -94,7 +94,7 @@ fn pass_on(axes: &Axes, known: &Diagram, news: &Receiver<News>, keep: Keep<'_>) 
         shown.curves.extend(listed.iter().map(|(curve, _)| curve.clone()).filter(is_open));
         let plane = || {
             let plane = plane::plane_diagram(axes, (&shown, None), Vec::new(), Vec::new());
-            let others = plane.curves.chunk_by(|a, b| a.arc == b.arc).map(<[PlanePoint]>::to_vec);
+            let others = plane.curves.chunk_by(|a, b| a.at.arc == b.at.arc).map(<[PlanePoint]>::to_vec);
             let grazing = before[..known.grazing.len()].iter().cloned();
             PlaneDiagram { curves: plane::numbered(grazing.chain(others)), ..plane }
         };

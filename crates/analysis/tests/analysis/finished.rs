@@ -38,7 +38,7 @@ fn every_finished_resonance_and_then_the_regions_of_every_p_are_handed_on_until_
     // Whether the regions of all p, of one, and of none are still open.
     let open = |plane: &PlaneDiagram| {
         let is_open = |loops: &&u32| {
-            plane.regions.iter().any(|row| row.loops == **loops && row.reason.contains("not finished"))
+            plane.regions.iter().any(|row| row.loops == **loops && row.at.reason.contains("not finished"))
         };
         scope.loops.iter().filter(is_open).count()
     };

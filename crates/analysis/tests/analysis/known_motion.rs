@@ -210,11 +210,11 @@ fn a_gear_lifts_off_where_inertia_exceeds_the_drag_and_rattles_on_one_flank_from
     }
     let folds = rows(&of, Bifurcation::SaddleNode);
     for row in &folds {
-        let decay = libm::exp(-c * TAU / row.secondary);
-        let begins = drag * TAU / row.secondary / (1.0 - decay);
+        let decay = libm::exp(-c * TAU / row.at.secondary);
+        let begins = drag * TAU / row.at.secondary / (1.0 - decay);
         let [before, after] = [begins * decay - drag / c, begins - drag / c];
-        assert_near(row.primary * row.secondary, (after + r * before) / (1.0 + r), 1e-9);
-        assert_near(row.impact_velocity, (after - before) / (1.0 + r), 1e-6);
+        assert_near(row.at.primary * row.at.secondary, (after + r * before) / (1.0 + r), 1e-9);
+        assert_near(row.at.impact_velocity, (after - before) / (1.0 + r), 1e-6);
         assert_eq!(row.wall, 2);
     }
     assert!(folds.len() > 20, "{}", folds.len());
@@ -237,9 +237,9 @@ fn a_ball_on_a_shaking_table_bounces_once_a_period_between_the_known_curves() {
         let rows = rows(&of, kind);
         assert!(rows.len() > 20, "{}", rows.len());
         for row in rows {
-            let omega = TAU * row.secondary;
-            assert_near(row.primary * omega * omega / g, known, 1e-9);
-            assert_near(row.impact_velocity, TAU * g / (omega * (1.0 + r)), 1e-6);
+            let omega = TAU * row.at.secondary;
+            assert_near(row.at.primary * omega * omega / g, known, 1e-9);
+            assert_near(row.at.impact_velocity, TAU * g / (omega * (1.0 + r)), 1e-6);
         }
     }
     // Beyond the period doubling there is one attractor, whatever it begins with.

@@ -10,9 +10,9 @@ fn holes_of_a_region_have_rings_of_their_own_and_a_doubt_is_told_at_each_vertex(
     let undecided = Region { rings: vec![ring(0.3)], doubt: Some(Doubt::Unseen), ..decided.clone() };
     let rows = regions(&Axes::of_the_paper(), &[decided, undecided]);
     let told: Vec<(u32, u32, &str)> =
-        rows.iter().step_by(3).map(|row| (row.region, row.ring, row.reason.as_str())).collect();
+        rows.iter().step_by(3).map(|row| (row.region, row.at.ring, row.at.reason.as_str())).collect();
     let doubt = Doubt::Unseen.to_string();
     assert_eq!(told, [(1, 0, ""), (1, 1, ""), (1, 2, ""), (2, 0, doubt.as_str())]);
-    assert!(rows.iter().all(|row| row.reason == if row.region == 1 { "" } else { &doubt }));
-    assert_eq!((rows.len(), rows[4].primary, rows[5].secondary), (12, 0.7, 0.7));
+    assert!(rows.iter().all(|row| row.at.reason == if row.region == 1 { "" } else { &doubt }));
+    assert_eq!((rows.len(), rows[4].at.primary, rows[5].at.secondary), (12, 0.7, 0.7));
 }

@@ -75,9 +75,9 @@ fn trace(rows: &[LaterPoint]) -> Trace {
 fn draw_window(figure: &Generations, panel: &mut Panel<'_>) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     let several = draw_several(panel, &mut labels, &figure.regions)?;
-    for curve in figure.known.chunk_by(|a, b| a.arc == b.arc) {
-        let spot = |row: &PlanePoint| match row.admissible {
-            true => (row.primary, row.secondary),
+    for curve in figure.known.chunk_by(|a, b| a.at.arc == b.at.arc) {
+        let spot = |row: &PlanePoint| match row.at.admissible {
+            true => (row.at.primary, row.at.secondary),
             false => (f64::NAN, f64::NAN),
         };
         let known = panel.draw_series(panel.curve(&curve.iter().map(spot).collect::<Vec<_>>(), KNOWN))?;

@@ -1,7 +1,7 @@
 //! Each curve, point and region of Figure 7, with the proved statement about it.
 
 use grazing_analysis::plane::{self, Axes};
-use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
+use grazing_results::plane::{OnCurve, PlanePoint, RegionVertex, SpecialPoint};
 
 use super::*;
 
@@ -53,7 +53,7 @@ pub(super) fn items(
     let (diagram, axes) = (study.diagram()?, Axes::of_the_paper());
     let (curves, points) = (plane::curves(&axes, diagram), plane::points(&axes, diagram));
     let (regions, look) = (plane::regions(&axes, &diagram.regions), Lookup { statement, rows });
-    let curves = curves.chunk_by(|a, b| a.arc == b.arc).map(|curve| of_curve(&look, curve));
+    let curves = curves.chunk_by(|a, b| a.at.arc == b.at.arc).map(|curve| of_curve(&look, curve));
     let points = (1..).zip(&points).map(|(number, point)| {
         let (from, to, amplitude, statement) = of_point(statement, rows, point);
         let within = (point.secondary - 0.5 * (from + to)).abs() <= 0.5 * (to - from) + ROUNDING
@@ -82,19 +82,19 @@ pub(super) fn items(
 }
 
 fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
-    let PlanePoint { kind, loops, n, arc, .. } = curve[0];
+    let PlanePoint { kind, loops, n, at: OnCurve { arc, .. }, .. } = curve[0];
     let (mut within, mut width) = (0, 0.0_f64);
     for point in curve {
-        let holds = match look.closed_form(kind, loops, point.secondary) {
-            Some(amplitude) => (amplitude - point.primary).abs() < ROUNDING,
-            None => look.ends(loops, point.secondary).is_some_and(|[_, lower, upper, wide]| {
+        let holds = match look.closed_form(kind, loops, point.at.secondary) {
+            Some(amplitude) => (amplitude - point.at.primary).abs() < ROUNDING,
+            None => look.ends(loops, point.at.secondary).is_some_and(|[_, lower, upper, wide]| {
                 width = width.max(wide);
-                lower - ROUNDING <= point.primary && point.primary <= upper + ROUNDING
+                lower - ROUNDING <= point.at.primary && point.at.primary <= upper + ROUNDING
             }),
         };
         within += u32::from(holds);
     }
-    let [from, to] = span(curve.iter().map(|point| point.secondary));
+    let [from, to] = span(curve.iter().map(|point| point.at.secondary));
     let statement = match kind {
         Bifurcation::NonImpactingGrazing => {
             "closed form at every omega: motion without impacts, always stable, is admissible just up to it"
@@ -156,10 +156,10 @@ fn of_region(
     window: grazing_continuation::curve::Window,
 ) -> ProofItem {
     let RegionVertex { region: number, kind, loops, n, .. } = region[0];
-    let [from, to] = span(region.iter().map(|vertex| vertex.secondary));
+    let [from, to] = span(region.iter().map(|vertex| vertex.at.secondary));
     let (mut within, mut width) = (0, 0.0_f64);
     for vertex in region {
-        let (omega, amplitude) = (vertex.secondary, vertex.primary);
+        let (omega, amplitude) = (vertex.at.secondary, vertex.at.primary);
         let edge = window.secondary.contains(&omega) || window.primary.contains(&amplitude);
         let ends = if loops == 0 {
             let grazing = look.closed_form(Bifurcation::NonImpactingGrazing, 0, omega);

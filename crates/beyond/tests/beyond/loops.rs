@@ -39,14 +39,14 @@ fn two_loop_curves_of_figure_7_begin_with_these_coefficients() {
         // μ/η² equals the coefficient up to terms of first order in y; at smaller η it is dominated by
         // rounding.
         let near = |point: &&PlanePoint| {
-            let eta = point.secondary - resonance;
-            point.loops == 2 && (1e-5..4e-4).contains(&eta.abs()) && point.impact_velocity < 0.03
+            let eta = point.at.secondary - resonance;
+            point.loops == 2 && (1e-5..4e-4).contains(&eta.abs()) && point.at.impact_velocity < 0.03
         };
         for point in figure.curves.iter().filter(near) {
-            let eta = point.secondary - resonance;
-            let grazing = theory().grazing(point.secondary).expect("it grazes").amplitude();
+            let eta = point.at.secondary - resonance;
+            let grazing = theory().grazing(point.at.secondary).expect("it grazes").amplitude();
             let expected = if point.kind == Bifurcation::Grazing { row.to } else { row.from };
-            let found = (point.primary - grazing) / (eta * eta);
+            let found = (point.at.primary - grazing) / (eta * eta);
             assert!(
                 (found / expected - 1.0).abs() < 0.1,
                 "{point:?} n = {} {eta}: {found} {expected}",

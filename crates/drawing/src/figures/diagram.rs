@@ -106,10 +106,10 @@ pub fn draw_diagram(
         }
     }
     let curves = diagram.curves.iter().chain(&diagram.at_both_walls);
-    let lost = curves.filter(|point| !point.lost.is_empty());
-    let lost_own = diagram.own.iter().filter(|point| !point.lost.is_empty());
-    let lost = lost.map(|point| (point.primary, point.secondary));
-    let lost = lost.chain(lost_own.map(|point| (point.primary, point.secondary)));
+    let lost = curves.filter(|point| !point.at.lost.is_empty());
+    let lost_own = diagram.own.iter().filter(|point| !point.at.lost.is_empty());
+    let lost = lost.map(|point| (point.at.primary, point.at.secondary));
+    let lost = lost.chain(lost_own.map(|point| (point.at.primary, point.at.secondary)));
     draw_ends(&mut panel, &mut labels, lost)?;
     let mut boxes = Vec::new();
     for magnified in diagram.magnified.iter().filter(|_| look.names(Named::Magnifications)) {
@@ -225,7 +225,7 @@ mod tests {
             crate::tests::inspection::paths(&svg, "#1946be").len()
         };
         assert_eq!(count(&sample), 3, "saddle-node curves");
-        sample.diagram.curves.iter_mut().for_each(|point| point.admissible = false);
+        sample.diagram.curves.iter_mut().for_each(|point| point.at.admissible = false);
         assert_eq!(count(&sample), 0);
     }
 

@@ -4,7 +4,7 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Stability;
 use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
-use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SequenceVertex, SpecialPoint};
+use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SequenceVertex, SpecialPoint, Vertex};
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Bounds, Spot, along, area, length, near};
@@ -82,7 +82,7 @@ pub struct Trace {
 
 /// The admissible parts of curves, as lines.
 pub fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
-    let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
+    let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.at.arc);
     points.chunk_by(|a, b| place(a) == place(b)).flat_map(traces).collect()
 }
 
@@ -92,15 +92,15 @@ fn traces(points: &[PlanePoint]) -> Vec<Trace> {
     let last = points.len() - 1;
     let bounds = |index: usize| PlanePoint::bounds(points, index);
     let shown = |of, drawn: &dyn Fn(usize) -> bool| {
-        let spot = |(index, point): (usize, &PlanePoint)| match point.admissible && drawn(index) {
-            true => (point.primary, point.secondary),
+        let spot = |(index, point): (usize, &PlanePoint)| match point.at.admissible && drawn(index) {
+            true => (point.at.primary, point.at.secondary),
             false => (f64::NAN, f64::NAN),
         };
         Trace { kind, of, points: points.iter().enumerate().map(spot).collect() }
     };
     let dotted = [(TraceOf::UnstableGrazing, false), (TraceOf::NeutralGrazing, true)].into_iter();
     let grazing = dotted.filter_map(|(of, neutral)| {
-        let is = |index: usize| !bounds(index) && (points[index].stable == Stability::Neutral) == neutral;
+        let is = |index: usize| !bounds(index) && (points[index].at.stable == Stability::Neutral) == neutral;
         // The dotted part extends to the points at which the solid line begins.
         let near = |index: usize| (index.saturating_sub(1)..=last.min(index + 1)).any(is);
         (0..=last).any(is).then(|| shown(of, &near))
@@ -226,7 +226,7 @@ pub fn draw_several(
 ) -> Result<Vec<(String, Vec<Spot>)>, DrawingError> {
     let region = |vertices: &[SequenceVertex]| {
         let SequenceVertex { impacts, periods, kind, ref walls, .. } = vertices[0];
-        let rings = rings(vertices, |vertex| (vertex.ring, (vertex.primary, vertex.secondary)));
+        let rings = Vertex::rings(vertices.iter().map(|vertex| &vertex.at));
         let at = |wall: &str| walls.matches(wall).count();
         let impacts = if walls.is_empty() { impacts.to_string() } else { format!("{}+{}", at("1"), at("2")) };
         (format!("{impacts}/{periods}"), Region { p: 0, kind, rings })
@@ -276,19 +276,13 @@ pub(crate) struct Region {
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
 
-/// The polygons of the vertices of a region: those of the same ring, in order, form one.
-fn rings<V>(vertices: &[V], place: impl Fn(&V) -> (u32, (f64, f64))) -> Vec<Vec<(f64, f64)>> {
-    let rings = vertices.chunk_by(|a, b| place(a).0 == place(b).0);
-    rings.map(|ring| ring.iter().map(|vertex| place(vertex).1).collect()).collect()
-}
-
 impl Region {
     /// Regions from their vertices: vertices with the same number form a region.
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
         let region = |vertices: &[RegionVertex]| Region {
             p: vertices[0].loops,
             kind: vertices[0].kind,
-            rings: rings(vertices, |vertex| (vertex.ring, (vertex.primary, vertex.secondary))),
+            rings: Vertex::rings(vertices.iter().map(|vertex| &vertex.at)),
         };
         let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
         regions.sort_by_key(Self::is_hatched);

@@ -26,7 +26,7 @@ pub(crate) fn draw_own(
 ) -> Result<Vec<OwnCurve>, DrawingError> {
     let mut drawn: Vec<OwnCurve> = Vec::new();
     let mut names: Vec<&str> = Vec::new();
-    for curve in rows.chunk_by(|a, b| a.arc == b.arc) {
+    for curve in rows.chunk_by(|a, b| a.at.arc == b.at.arc) {
         let (name, loops) = (&curve[0].name, curve[0].loops);
         let alone = rows.iter().all(|row| row.name != *name || row.loops == loops);
         let label = if alone { name.clone() } else { format!("{name}, $p={loops}$") };
@@ -37,13 +37,14 @@ pub(crate) fn draw_own(
         let pens = own_pens(number);
         // The chord between a bifurcation and the solutions beside it is drawn like these solutions.
         let look = |pair: &[OwnPoint]| {
-            let admissible = pair.iter().all(|point| point.admissible);
-            admissible.then(|| usize::from(pair.iter().all(|point| !point.stable.is_stable())))
+            let admissible = pair.iter().all(|point| point.at.admissible);
+            admissible.then(|| usize::from(pair.iter().all(|point| !point.at.stable.is_stable())))
         };
         let looks: Vec<Option<usize>> = curve.windows(2).map(look).collect();
         let mut from = 0;
         for run in looks.chunk_by(|a, b| a == b) {
-            let places = curve[from..=from + run.len()].iter().map(|point| (point.primary, point.secondary));
+            let places =
+                curve[from..=from + run.len()].iter().map(|point| (point.at.primary, point.at.secondary));
             from += run.len();
             let Some(unstable) = run[0] else { continue };
             let curves = panel.curve(&places.collect::<Vec<_>>(), pens[unstable]);
@@ -80,6 +81,7 @@ mod tests {
     use crate::figures::diagram::draw_diagram;
     use crate::tests::inspection::paths;
     use crate::tests::sample_oscillator::sample;
+    use grazing_results::plane::OnCurve;
 
     #[test]
     fn own_curves_are_drawn_where_solutions_are_admissible_and_have_their_names() {
@@ -88,17 +90,19 @@ mod tests {
             name: "hard hits".to_owned(),
             property: "impact velocity = 0.3".to_owned(),
             loops: 1,
-            secondary: 0.4 + 0.005 * f64::from(k),
-            primary: 0.9,
-            impact_velocity: 0.3,
-            impact_phase: 0.0,
-            trace: 0.0,
-            determinant: 0.0,
-            max_interior_x: f64::NAN,
-            stable: (k < 60).into(),
-            admissible: k < 80,
-            arc: 0,
-            lost: if k == 99 { "no further point was found".to_owned() } else { String::new() },
+            at: OnCurve {
+                secondary: 0.4 + 0.005 * f64::from(k),
+                primary: 0.9,
+                impact_velocity: 0.3,
+                impact_phase: 0.0,
+                trace: 0.0,
+                determinant: 0.0,
+                max_interior_x: f64::NAN,
+                stable: (k < 60).into(),
+                admissible: k < 80,
+                arc: 0,
+                lost: if k == 99 { "no further point was found".to_owned() } else { String::new() },
+            },
         };
         sample.diagram.own = (0..100).map(row).collect();
         let sheet = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
@@ -106,7 +110,7 @@ mod tests {
         assert!(sheet.texts().contains(&"hard hits".to_owned()), "{:?}", sheet.texts());
         let drawn = paths(&sheet.svg(), "#a26cd8");
         // A ring marks where the curve was followed no further.
-        sample.diagram.own[99].lost.clear();
+        sample.diagram.own[99].at.lost.clear();
         let whole = draw_diagram(&sample.diagram, &sample.heading(), SheetWidth::Paper).unwrap();
         let discs = |sheet: &crate::Sheet| sheet.svg().matches("<circle").count();
         assert!(discs(&sheet) > discs(&whole));

@@ -108,7 +108,7 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
     let ring = "a curve could not be followed further (reason in its table)";
     assert_eq!([explained(&drawn(&sample), &unstable), explained(&drawn(&sample), ring)], [None, None]);
     // Stability is marginal at the ends of GZ curves.
-    let own = |point: &PlanePoint| (point.kind == Bifurcation::Grazing).then_some(point.arc);
+    let own = |point: &PlanePoint| (point.kind == Bifurcation::Grazing).then_some(point.at.arc);
     let arc = sample.diagram.curves.iter().find_map(own).unwrap();
     let indices: Vec<usize> = (0..)
         .zip(&sample.diagram.curves)
@@ -117,12 +117,12 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
         .collect();
     let (first, last) = (indices[0], indices[indices.len() - 1]);
     for index in [first, last] {
-        sample.diagram.curves[index].stable = false.into();
+        sample.diagram.curves[index].at.stable = false.into();
     }
     assert_eq!(lines(&sample), 0);
     let [neutral, meaning] = [Stability::Neutral, false.into()].map(|stability| {
         for index in &indices[20..60] {
-            sample.diagram.curves[*index].stable = stability;
+            sample.diagram.curves[*index].at.stable = stability;
         }
         assert_eq!(lines(&sample), 2, "once in the figure and once in its legend");
         let sheet = drawn(&sample);
@@ -133,13 +133,13 @@ fn grazing_of_what_is_unstable_is_dotted_and_lost_ends_have_rings() {
     assert!(explained(&sheet, &unstable).unwrap().contains(&hexadecimal(grazing.colours[0])));
     // Once in the figure and once in its legend.
     assert_eq!(lines(&sample), 2);
-    sample.diagram.curves[last].lost = "no further point was found".to_owned();
+    sample.diagram.curves[last].at.lost = "no further point was found".to_owned();
     assert_eq!(explained(&drawn(&sample), ring), sampled(Marker::Ring.sample()));
     // For other kinds of curves stability is ignored.
     let before = lines(&sample);
     let others =
         |at: &&mut PlanePoint| matches!(at.kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
-    sample.diagram.curves.iter_mut().filter(others).for_each(|at| at.stable = false.into());
+    sample.diagram.curves.iter_mut().filter(others).for_each(|at| at.at.stable = false.into());
     assert_eq!(lines(&sample), before);
 }
 

@@ -3,8 +3,8 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
-    CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, PlaneDiagram, PlanePoint, RegionKind,
-    RegionVertex, SpecialPoint, StraightenedCurves, StraightenedPoint,
+    CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, OnCurve, PlaneDiagram, PlanePoint,
+    RegionKind, RegionVertex, SpecialPoint, StraightenedCurves, StraightenedPoint, Vertex,
 };
 use grazing_results::{Frame, Names};
 
@@ -81,17 +81,19 @@ pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<PlanePoint> {
             loops,
             wall: 0,
             n,
-            secondary,
-            primary,
-            impact_velocity: 0.1,
-            impact_phase: 0.0,
-            trace: 0.0,
-            determinant: 0.5,
-            max_interior_x: -0.1,
-            stable: true.into(),
-            admissible: true,
-            arc,
-            lost: String::new(),
+            at: OnCurve {
+                secondary,
+                primary,
+                impact_velocity: 0.1,
+                impact_phase: 0.0,
+                trace: 0.0,
+                determinant: 0.5,
+                max_interior_x: -0.1,
+                stable: true.into(),
+                admissible: true,
+                arc,
+                lost: String::new(),
+            },
         })
     };
     curves.into_iter().flat_map(rows).collect()
@@ -116,7 +118,7 @@ fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
 fn region_rows(curves: &[SampleCurve], corners: [(f64, f64); 2]) -> Vec<RegionVertex> {
     let vertex = |region, kind, loops, (primary, secondary)| {
         let (wall, n, ring, reason) = (0, 0, 0, String::new());
-        RegionVertex { region, kind, loops, wall, n, secondary, primary, ring, reason }
+        RegionVertex { region, kind, loops, wall, n, at: Vertex { secondary, primary, ring, reason } }
     };
     let below = curves[0].4.iter().copied().chain(corners);
     let mut rows: Vec<_> = below.map(|spot| vertex(0, RegionKind::NonImpacting, 0, spot)).collect();

@@ -75,7 +75,7 @@ fn both_walls_are_in_one_plane_as_unfold_draws_it() {
     let kept: BTreeSet<&str> =
         last["keys"].as_array().expect("a list").iter().filter_map(Value::as_str).collect();
     let followed = kept.iter().filter(|key| !key.ends_with("quadratic")).count();
-    assert_eq!(followed, count(drawn.curves.iter().map(|row| &row.arc)), "{kept:?}");
+    assert_eq!(followed, count(drawn.curves.iter().map(|row| &row.at.arc)), "{kept:?}");
     for wall in [1, 2] {
         let own = |kind: &str| {
             let of = |curve: &&Value| {
@@ -96,7 +96,7 @@ fn both_walls_are_in_one_plane_as_unfold_draws_it() {
         regions.iter().filter(|region| region["walls"] == "1-2" && region["kind"] == "several-impacts");
     assert!(at_both > 0 && both.count() == at_both);
     let followed = curves.keys().filter(|key| key.contains("both walls")).count();
-    assert_eq!(followed, count(drawn.at_both_walls.iter().map(|row| &row.arc)));
+    assert_eq!(followed, count(drawn.at_both_walls.iter().map(|row| &row.at.arc)));
     // What is taken home has them, too.
     let taken = Seen::of(&model, Some(&seen), &Wanted::Plane, &Silent, &Stop::default()).expect("it grazes");
     let Figure::Plane(taken, _) = taken.figure else { panic!("it is the plane") };

@@ -6,7 +6,7 @@ use grazing_results::branches::{PortraitKind, PortraitPoint};
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate};
 use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::place::PlaceAttractor;
-use grazing_results::plane::{PlanePoint, SequenceResonance, StraightenedPoint};
+use grazing_results::plane::{OnCurve, PlanePoint, SequenceResonance, StraightenedPoint};
 use grazing_results::readings::Reading;
 use grazing_results::resonance::Coefficients;
 use grazing_results::{Column, Dimension, Dimensioned, Row, Stability, columns};
@@ -57,23 +57,26 @@ fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_
         loops: 2,
         wall: 1,
         n: 3,
-        secondary: 0.7,
-        primary: -1.3,
-        impact_velocity: 0.11,
-        impact_phase: 2.9,
-        trace: 0.3,
-        determinant: 0.8,
-        max_interior_x: -0.01,
-        stable: Stability::Stable,
-        admissible: true,
-        arc: 5,
-        lost: "why".to_owned(),
+        at: OnCurve {
+            secondary: 0.7,
+            primary: -1.3,
+            impact_velocity: 0.11,
+            impact_phase: 2.9,
+            trace: 0.3,
+            determinant: 0.8,
+            max_interior_x: -0.01,
+            stable: Stability::Stable,
+            admissible: true,
+            arc: 5,
+            lost: "why".to_owned(),
+        },
     };
     assert_converted(&point);
     let mut exchanged = point.clone();
     exchanged.exchange();
-    let [primary, secondary] = [point.secondary, point.primary];
-    assert_eq!(exchanged, PlanePoint { primary, secondary, ..point.clone() });
+    let at = point.at.clone();
+    let at = OnCurve { primary: at.secondary, secondary: at.primary, ..at };
+    assert_eq!(exchanged, PlanePoint { at, ..point.clone() });
     let straightened = StraightenedPoint {
         panel: 1,
         loops: 1,

@@ -140,7 +140,7 @@ fn computed(window: Window, set: &Value, coarse: bool) -> Diagram {
 
 /// FNV-1a of the bits of all points of curves.
 fn sum(curves: &[PlanePoint]) -> u32 {
-    let numbers = curves.iter().flat_map(|row| [row.primary, row.secondary]);
+    let numbers = curves.iter().flat_map(|row| [row.at.primary, row.at.secondary]);
     let bytes = numbers.flat_map(f64::to_le_bytes);
     bytes.fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
@@ -162,10 +162,11 @@ fn bits_of<'r, T: 'r>(chunks: impl Iterator<Item = &'r [T]>, point: fn(&T) -> [f
 fn assert_picture(window: Window, picture: &Value) {
     let (axes, diagram) = (Axes::of_the_paper(), computed(window, &picture["set"], false));
     let curves = plane::curves(&axes, &diagram);
-    let mut curves = bits_of(curves.chunk_by(|a, b| a.arc == b.arc), |row| [row.primary, row.secondary]);
+    let mut curves =
+        bits_of(curves.chunk_by(|a, b| a.at.arc == b.at.arc), |row| [row.at.primary, row.at.secondary]);
     let regions = plane::regions(&axes, &diagram.regions);
-    let together = |a: &RegionVertex, b: &RegionVertex| (a.region, a.ring) == (b.region, b.ring);
-    let rings = bits_of(regions.chunk_by(together), |row| [row.primary, row.secondary]);
+    let together = |a: &RegionVertex, b: &RegionVertex| (a.region, a.at.ring) == (b.region, b.at.ring);
+    let rings = bits_of(regions.chunk_by(together), |row| [row.at.primary, row.at.secondary]);
     let mut found = bits(&picture["curves"]);
     curves.sort();
     found.sort();

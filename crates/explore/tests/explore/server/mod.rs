@@ -250,7 +250,7 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     let (oscillator, scope) = unfolded::prepared(&description, &axes.units, &Stop::default());
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
     let wanted: Vec<[f64; 2]> =
-        plane::curves(&axes, &diagram).iter().map(|row| [row.primary, row.secondary]).collect();
+        plane::curves(&axes, &diagram).iter().map(|row| [row.at.primary, row.at.secondary]).collect();
     // First the curves as they are found, then all of them, then approximations to them.
     let sent = events(&stream, "curves");
     let all = &sent[sent.len() - 2];
