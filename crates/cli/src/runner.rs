@@ -17,7 +17,7 @@ use crate::failure::{Failure, INCOMPLETE};
 use crate::folder::{self, Batch, Change, Differences, OutputFile, counted, summary};
 use crate::limits::{self, EndCause, Watch, ended};
 use crate::progress::Display;
-use crate::{data_page, terminal, visual};
+use crate::{data_page, tables, terminal, visual};
 
 /// A task that was read and checked, before anything is computed.
 pub(crate) struct Plan<'a> {
@@ -245,6 +245,7 @@ impl Plan<'_> {
     /// Does the task, and writes and says its results.
     fn run(self, began: Instant) -> Result<(), Failure> {
         terminal::say(&self.heading);
+        tables::start_threads();
         limits::finish_when_interrupted(self.finishes);
         let running = Running::begin(self.limits, &|stop| Box::new(Display::counting(stop)));
         let outcome = (self.work)(&running, &self.folder)?;

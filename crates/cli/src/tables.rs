@@ -72,6 +72,12 @@ fn array(table: &Table, place: usize) -> Box<dyn Array> {
     }
 }
 
+/// Starts polars' threads, which it would otherwise start with the first table: under a limit of the system that is nearly
+/// reached by then, they could not be started, and polars would panic.
+pub(crate) fn start_threads() {
+    let _ = CsvWriter::new(std::io::sink());
+}
+
 /// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as
 /// `0.0`, and an empty cell for null.
 pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {

@@ -13,7 +13,7 @@ use core::f64::consts::{PI, TAU};
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::flights::flight_time;
-use grazing_continuation::locate::{Condition, locate_within};
+use grazing_continuation::locate::{Condition, LocateFailure, locate_within};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::smooth::Purpose;
@@ -264,11 +264,19 @@ impl Lattice {
             if found.iter().any(|(other, zero)| *other == loops && inside(zero)) {
                 continue;
             }
-            let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
             let reach = REACH * cell.norm();
-            let middle = first + cell * 0.5;
-            let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
-            let new = zero.ok().filter(|zero| {
+            let locate = |oscillator: &AnyOscillator, near: Unknowns| {
+                let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+                locate_within(reach, &equations, here, near, &mut EventTimes::default())
+            };
+            // Newton's method leaves most cells, for which few digits are enough.
+            let middle = &first + &cell * 0.5;
+            let near = match locate(&rough, middle.clone()) {
+                Err(LocateFailure::Elsewhere { .. }) => continue,
+                found => found.unwrap_or(middle),
+            };
+            let zero = locate(oscillator, near).ok();
+            let new = zero.filter(|zero| {
                 zero[unknown::VELOCITY] > slowest
                     && !found.iter().any(|(other, at)| *other == loops && same(at, zero))
             });

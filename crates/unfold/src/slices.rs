@@ -82,7 +82,7 @@ pub(crate) fn spread(
 
 /// Steps along branches that need not be drawn: rough points are enough for the signs of events
 /// between them, which are located separately (empirical: neighbouring folds and grazings of the
-/// oscillators that were tried lie much farther apart, and the error of a point, some 10⁻⁸, is far
+/// oscillators that were tried lie much farther apart, and the error of a point, some 10⁻⁷, is far
 /// below the accuracy required).
 const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };

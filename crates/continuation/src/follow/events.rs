@@ -213,9 +213,10 @@ impl<O: ImpactOscillator> Step<'_, O> {
         comes_later: impl Fn(&CurveStation) -> bool,
         located: impl Fn(&Step<'_, O>) -> Option<T>,
     ) -> Option<T> {
+        let way = |a: &CurveStation, b: &CurveStation| self.followed.equations.gap(&a.point, &b.point).norm();
         let (mut before, mut after) = (self.before.clone(), self.after.clone());
         for _ in 0..CUTS {
-            let half = 0.5 * self.followed.equations.gap(&before.point, &after.point).norm();
+            let half = 0.5 * way(&before, &after);
             if half < self.control.shortest {
                 return None;
             }
@@ -225,6 +226,10 @@ impl<O: ImpactOscillator> Step<'_, O> {
                 (before.point.clone(), before.tangent.clone(), before.carried.clone());
             let mut walker = Continuation::new(self.followed, control, point, tangent, times).ok()?;
             let middle = walker.advance().ok()?.clone();
+            // A point farther from an end than both ends are from each other lies on another branch.
+            if way(&before, &middle).max(way(&middle, &after)) > way(&before, &after) {
+                return None;
+            }
             if comes_later(&middle) {
                 before = middle;
                 continue;

@@ -85,10 +85,10 @@ const NEAR: f64 = 0.2;
 const CONVERGED: f64 = 1e-12;
 const ROUNDING: f64 = 1e-15;
 /// Rough motion is allowed coefficients this many times as large, and a larger swing: with order 12
-/// its errors are some 10⁵ times as large, about 10⁻⁸, and the stages are solved to correspondingly
+/// its errors are some 10⁶ times as large, about 10⁻⁷, and the stages are solved to correspondingly
 /// fewer digits.
-const ROUGHER: f64 = 100.0;
-const WIDER: f64 = 2.0;
+const ROUGHER: f64 = 300.0;
+const WIDER: f64 = 2.5;
 const LOOSER: f64 = 1e5;
 /// Factor of the step of fine motion: with steps two thirds as long, coefficients of order five are
 /// smaller by the fifth power of this, and errors of order twelve by 10⁻².
@@ -97,7 +97,7 @@ const FINER: f64 = NARROWER * NARROWER * NARROWER * NARROWER * NARROWER;
 
 /// Factor by which bounds on a rough step exceed those of its polynomial of degree five, to allow
 /// for the part of the acceleration and of its derivatives that it leaves out (its last
-/// coefficients are 10⁻³ of the whole at most).
+/// coefficients are 3 · 10⁻³ of the whole at most; a test samples motion).
 const ROOM: f64 = 1.1;
 
 /// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken

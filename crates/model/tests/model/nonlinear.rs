@@ -111,6 +111,33 @@ fn bounds_hold_and_are_not_idle() {
     assert_bounded(&Integrated::new(Dragged, [0.6, 0.76]));
 }
 
+/// The bounds of rough motion are estimates, which leave room for what the steps' polynomials leave out.
+fn assert_roughly_bounded<M: SmoothOscillator>(oscillator: &Integrated<M>) {
+    for velocity in [-0.1, -0.7, -1.5, -4.0] {
+        let from = State::on_wall(velocity, 0.3);
+        let (motion, rough) = (oscillator.motion(from), oscillator.roughly().motion(from));
+        let enclosure = rough.enclose(20.0);
+        for k in 0..400 {
+            let time = 0.05 * f64::from(k);
+            let bounds = enclosure.bounds_between(time, time + 0.01);
+            let here = motion.at(time);
+            let snap = (motion.at(time + 1e-4).jerk - motion.at(time - 1e-4).jerk) / 2e-4;
+            for (bound, size) in
+                [(bounds.acceleration, here.acceleration), (bounds.jerk, here.jerk), (bounds.snap, snap)]
+            {
+                assert!(size.abs() <= bound + 1e-5, "at {time}: {size} exceeds {bound}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bounds_of_rough_motion_hold_where_it_is_sampled() {
+    assert_roughly_bounded(&Integrated::new(Duffing, [0.6, 0.76]));
+    assert_roughly_bounded(&Integrated::new(Saturating, [0.6, 0.76]));
+    assert_roughly_bounded(&Integrated::new(Dragged, [0.6, 0.76]));
+}
+
 #[test]
 fn maxima_are_where_samples_show_them() {
     let oscillator = Integrated::new(Duffing, [0.9, 0.45]);
@@ -127,7 +154,7 @@ fn maxima_are_where_samples_show_them() {
     assert_eq!(maxima.len(), sampled);
 }
 
-/// Rough motion is made of half as many steps, and right to seven digits, with its first
+/// Rough motion is made of half as many steps, and right to some seven digits, with its first
 /// derivatives.
 #[test]
 fn rough_motion_is_rough_and_right_to_seven_digits() {
@@ -139,11 +166,11 @@ fn rough_motion_is_rough_and_right_to_seven_digits() {
         let [exact, near] = [&oscillator, &rough].map(|oscillator| oscillator.flow::<1>(from, time));
         let error = (exact.jacobian - near.jacobian).amax() / exact.jacobian.amax();
         let error = error.max((exact.value - near.value).amax());
-        assert!(error > 0.0 && error < 1e-7, "{error}");
+        assert!(error > 0.0 && error < 3e-7, "{error:e}");
         let [many, few] = [&oscillator, &rough].map(|oscillator| {
             let motion = oscillator.motion(from);
             motion.enclose(time).strides()
         });
-        assert!(3 * few < 2 * many, "{few} of {many}");
+        assert!(2 * few < many, "{few} of {many}");
     }
 }

@@ -164,12 +164,12 @@ impl Slicer {
         {
             // The curve's point may lie on a branch that has stepped over it; at a pitchfork, on
             // two.
-            let passing = |slice: &Slice| -> Vec<usize> {
+            let passing = |slice: &Slice, at: &Unknowns| -> Vec<usize> {
                 let all = slice.branches.iter().enumerate();
-                let passing = all.filter(|(_, branch)| self.passes(branch, &near)).map(|(index, _)| index);
+                let passing = all.filter(|(_, branch)| self.passes(branch, at)).map(|(index, _)| index);
                 passing.take(if condition == Condition::SymmetryBreaking { usize::MAX } else { 1 }).collect()
             };
-            let known = passing(slice);
+            let known = passing(slice, &near);
             let has = |index: &usize| self.has(&slice.branches[*index], condition, &chord);
             // A branch that has the pitchfork need not have led to the other one, which begins there.
             let least = if condition == Condition::SymmetryBreaking { 2 } else { 1 };
@@ -189,7 +189,8 @@ impl Slicer {
                 if condition == Condition::SymmetryBreaking {
                     self.beginning_at_pitchfork(slice, &through);
                 }
-                for index in passing(slice) {
+                // Newton's method may have gone to a bifurcation on another branch.
+                for index in passing(slice, &through) {
                     self.insert(&mut slice.branches[index], condition, &through, times.clone());
                 }
             }

@@ -5,17 +5,20 @@ use grazing_model::smooth::{Stop, Stoppable};
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
+use grazing_unfold::one_parameter::{Cut, Line};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::Doubt;
 
 use crate::specimens::{described, scope};
 
+/// A well from which motion escapes, with the wall at its top on the other side.
+const WELL: &str = "-0.08*v - (x + 0.5) - 0.8*(x + 0.5)^2 + mu*cos(eta*t)";
+
 #[test]
 fn curves_that_creep_along_the_edge_of_escape_end_early() {
     let scope = scope([0.04, 0.4], [0.5, 0.7], &[2]);
-    let well = "-0.08*v - (x + 0.5) - 0.8*(x + 0.5)^2 + mu*cos(eta*t)";
     let Window { primary, secondary } = scope.window;
-    let oscillator = described([well, "eta", "0"], 0.85, [primary, secondary]).oscillator([0.2, 0.6]);
+    let oscillator = described([WELL, "eta", "0"], 0.85, [primary, secondary]).oscillator([0.2, 0.6]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
     for curve in &diagram.curves {
         let points = curve.curve.points.len();
@@ -25,6 +28,21 @@ fn curves_that_creep_along_the_edge_of_escape_end_early() {
     assert!(diagram.curves.iter().any(|curve| curve.loops == 2));
     let doubts: Vec<_> = diagram.regions.iter().filter_map(|region| region.doubt.as_ref()).collect();
     assert!(doubts.is_empty(), "{doubts:?}");
+}
+
+/// Two sheets of p = 3 come close at A = 0.248, ω = 1.037; a step may lead from one to the other, past a saddle-node that
+/// belongs to neither, so that Newton's method finds one at A = 0.2005.
+#[test]
+fn no_branch_has_the_bifurcations_of_another_one_to_which_a_step_leads() {
+    let scope = scope([0.0, 0.55], [0.45, 1.75], &[3]);
+    let Window { primary, secondary } = scope.window;
+    let oscillator = described([WELL, "eta", "0"], 0.85, [primary, secondary]).oscillator([0.2, 0.6]);
+    let line = Line { diagram: 1, primary_is_fixed: false, at: 1.036_969_5, range: [0.15, 0.3] };
+    let cut = Cut::follow(&oscillator, &scope, &[], line, &Silent).expect("nobody stops it");
+    let diagram = cut.diagram();
+    let steps = diagram.branches.windows(2).filter(|pair| pair[0].branch == pair[1].branch);
+    let steps: Vec<f64> = steps.map(|pair| (pair[1].primary - pair[0].primary).abs()).collect();
+    assert!(steps.len() > 200 && steps.iter().all(|step| *step < 0.03), "{steps:?}");
 }
 
 #[test]
