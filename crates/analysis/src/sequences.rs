@@ -3,11 +3,11 @@
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
+use grazing_results::Dimensioned;
 use grazing_results::plane::{
     OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
     Vertex,
 };
-use grazing_results::{Dimensioned, Stability};
 use grazing_unfold::curves::DiagramCurve;
 use grazing_unfold::generations::{BaseName, LaterResonance};
 use grazing_unfold::regions::Doubt;
@@ -90,22 +90,22 @@ fn points(
     units: &Units,
 ) -> Vec<SequencePoint> {
     let row = |solution: &PeriodicSolution| {
-        let [primary, secondary] = solution.parameters();
+        let at = on_curve(*kind, solution, [solution.impact_velocity(), f64::NAN]);
         SequencePoint {
             impacts: of.impacts as u32,
             periods: of.periods,
             walls: walls(of, wall),
             kind: *kind,
-            secondary,
-            primary,
-            impact_velocity: solution.impact_velocity(),
-            trace: solution.multipliers.trace,
-            determinant: solution.multipliers.determinant,
-            max_interior_x: solution.ceiling(),
-            stable: Stability::of(solution.multipliers),
-            admissible: solution.ceiling() <= PeriodicSolution::TOUCH,
+            secondary: at.secondary,
+            primary: at.primary,
+            impact_velocity: at.impact_velocity,
+            trace: at.trace,
+            determinant: at.determinant,
+            max_interior_x: at.max_interior_x,
+            stable: at.stable,
+            admissible: at.admissible,
             arc,
-            lost: String::new(),
+            lost: at.lost,
         }
         .with_dimensions(units)
     };

@@ -87,7 +87,7 @@ const ROUNDING: f64 = 1e-15;
 /// Rough motion is allowed coefficients this many times as large, and a larger swing: with order 12
 /// its errors are some 10⁶ times as large, about 10⁻⁷, and the stages are solved to correspondingly
 /// fewer digits.
-const ROUGHER: f64 = 300.0;
+const ROUGHER: f64 = 200.0;
 const WIDER: f64 = 2.5;
 const LOOSER: f64 = 1e5;
 /// Factor of the step of fine motion: with steps two thirds as long, coefficients of order five are
@@ -97,7 +97,7 @@ const FINER: f64 = NARROWER * NARROWER * NARROWER * NARROWER * NARROWER;
 
 /// Factor by which bounds on a rough step exceed those of its polynomial of degree five, to allow
 /// for the part of the acceleration and of its derivatives that it leaves out (its last
-/// coefficients are 3 · 10⁻³ of the whole at most; a test samples motion).
+/// coefficients are 2 · 10⁻³ of the whole or little more; a test samples motion).
 const ROOM: f64 = 1.1;
 
 /// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken
