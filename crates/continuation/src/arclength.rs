@@ -67,7 +67,8 @@ pub struct StepControl {
     pub shortest: f64,
     /// The tangent turns by about this angle from point to point, in radians.
     pub turn: f64,
-    /// The corrector's last step is no longer than this; its square is about the error of a point.
+    /// The corrector's last step is no longer than this, nor than a thousandth of the step; its square is
+    /// about the error of a point.
     pub tolerance: f64,
 }
 
@@ -122,11 +123,11 @@ pub struct Continuation<'a, C: CurveEquations> {
     past: Option<Tangent<C::Point>>,
 }
 
-/// A new station and the angle by which the tangent turned on the way.
+/// A new station and the angle by which the curve turned on the way.
 type Attempt<C> = (StationOf<C>, f64);
 
-/// A step is repeated if the tangent turns by more than this multiple of the target angle
-/// (empirical).
+/// A step is repeated if the tangent or the chord turns by more than this multiple of the target angle
+/// (empirical). If the chord does and the new tangent does not, the step led to another curve beside this one.
 const OVERTURN: f64 = 3.0;
 /// Bounds of the ratio of a new step, chosen by the turn, to the last one (empirical).
 const GROWTH: [f64; 2] = [0.5, 1.6];
@@ -134,6 +135,9 @@ const GROWTH: [f64; 2] = [0.5, 1.6];
 /// (empirical).
 const TURNED: f64 = 0.5;
 const NOT_FOUND: f64 = 0.25;
+/// Largest ratio of the corrector's last step to the step: among violent motion, where steps are short, a point
+/// is off by far more than the square of the corrector's last step (empirical).
+const OF_STEP: f64 = 1e-3;
 /// Steps up to this many times as long as the shortest are not repeated because of the turn
 /// (empirical).
 const SHORT: f64 = 4.0;
@@ -234,7 +238,7 @@ impl<'a, C: CurveEquations> Continuation<'a, C> {
     }
 
     /// One predictor and corrector: the new station, with its unknowns divided by their units, and
-    /// the angle between the two tangents.
+    /// the angle between the last tangent and the new one or the chord, whichever is larger.
     fn attempt(&self) -> Result<Attempt<C>, NewtonFailure<C::Failure>> {
         let (origin, along) = &self.counted;
         let mut carried = self.here.carried.clone();
@@ -244,7 +248,8 @@ impl<'a, C: CurveEquations> Continuation<'a, C> {
                 Ok(system.bordered(along.dot(&(point.clone() - origin.clone())) - self.step, along))
             })
         };
-        let mut solution = corrected(self.predict(), self.control.tolerance, &mut carried)?;
+        let tolerance = self.control.tolerance.min(OF_STEP * self.step).max(tolerances::STEP);
+        let mut solution = corrected(self.predict(), tolerance, &mut carried)?;
         if self.control.sketches() && self.equations.is_unsettled(&carried) {
             solution = corrected(solution.point, tolerances::STEP, &mut carried)?;
         }
@@ -255,8 +260,11 @@ impl<'a, C: CurveEquations> Continuation<'a, C> {
             .null_direction(&solution.factors)
             .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;
         self.equations.settle(&solution.point.component_mul(&self.units), &mut carried);
-        let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
-        Ok((Station { point: solution.point, tangent, carried }, angle))
+        let turn = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
+        let aside = (solution.point.clone() - origin.clone() - along.clone() * self.step).norm();
+        // The points themselves are aside by as much.
+        let swerve = if aside > self.control.tolerance { libm::atan(aside / self.step) } else { 0.0 };
+        Ok((Station { point: solution.point, tangent, carried }, turn.max(swerve)))
     }
 }
 

@@ -14,7 +14,7 @@ use crate::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{EventTimes, Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
 use crate::tolerances::{
-    AGAIN, FORGOTTEN, LOST_POINTS, MOST_OUT_OF_SIGHT, MOST_SHORT_STEPS, NO_VELOCITY, ON_TWO_CURVES,
+    self, AGAIN, FORGOTTEN, LOST_POINTS, MOST_OUT_OF_SIGHT, MOST_SHORT_STEPS, NO_VELOCITY, ON_TWO_CURVES,
     OUT_OF_SIGHT, SHORT_STEP, SOUNDED, VIOLENT,
 };
 use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, TORUS, changes, signs, vanishing};
@@ -148,21 +148,33 @@ struct Follower<'a, O> {
     beyond: usize,
 }
 
+/// What was known before a step.
+struct Before {
+    station: CurveStation,
+    points: usize,
+    events: usize,
+    signs: Option<Signs>,
+    beyond: usize,
+}
+
 impl<O: ImpactOscillator> Follower<'_, O> {
     /// Continues until the curve ends (`None`) or no further point is found.
     fn walk(&mut self, mut here: CurveStation) -> Option<Stall<MapError>> {
-        let control = self.route.control;
+        let mut control = self.route.control;
         let SolutionCurve { equations, condition } = self.followed;
         // Events on a sketch are located separately, with all digits.
         let rough = control
             .sketches()
             .then(|| SolutionCurve { equations: equations.roughly(), condition: *condition });
-        let walked = rough.as_ref().unwrap_or(self.followed);
-        let walker = Continuation::new(walked, control, here.point, here.tangent, here.carried.clone());
-        let mut walker = match walker {
+        let mut walked = rough.as_ref().unwrap_or(self.followed);
+        let start = |walked, control, here: &CurveStation| {
+            Continuation::new(walked, control, here.point.clone(), here.tangent.clone(), here.carried.clone())
+        };
+        let mut walker = match start(walked, control, &here) {
             Ok(walker) => walker,
             Err(stall) => return Some(stall),
         };
+        let mut last: Option<Before> = None;
         while self.curve.points.len() <= self.route.step_limit && !self.creeps() {
             here = walker.here().clone();
             if let Some(pace) = self.route.pace {
@@ -172,23 +184,34 @@ impl<O: ImpactOscillator> Follower<'_, O> {
                 };
                 walker.limit(longest);
             }
-            let after = match walker.advance() {
-                Ok(station) => station.clone(),
-                Err(stall) => return Some(stall),
+            let after = match (walker.advance(), last.take()) {
+                (Ok(station), _) => station.clone(),
+                // Among violent motion the last point of a sketch may be off, and nothing leads on from it.
+                (Err(stall), Some(before)) if control.sketches() => {
+                    let step = equations.gap(&before.station.point, &here.point).norm();
+                    walked = self.followed;
+                    control = StepControl {
+                        first: (AGAIN * step).max(control.shortest),
+                        tolerance: tolerances::STEP,
+                        ..control
+                    };
+                    walker = match start(walked, control, &before.station) {
+                        Ok(again) => again,
+                        Err(_) => return Some(stall),
+                    };
+                    self.go_back(before);
+                    continue;
+                }
+                (Err(stall), _) => return Some(stall),
             };
             let step = equations.gap(&here.point, &after.point).norm();
+            let before = self.before(&here);
             if let ControlFlow::Break(end) = self.accept(&here, after) {
                 // The step may have led to another branch, where motion is sensitive: shorter ones do not.
                 let first = AGAIN * step;
                 if matches!(end, CurveEnd::EventNotLocated { .. })
                     && first > control.first
-                    && let Ok(again) = Continuation::new(
-                        walked,
-                        StepControl { first, ..control },
-                        here.point,
-                        here.tangent,
-                        here.carried.clone(),
-                    )
+                    && let Ok(again) = start(walked, StepControl { first, ..control }, &here)
                 {
                     walker = again;
                     continue;
@@ -196,12 +219,27 @@ impl<O: ImpactOscillator> Follower<'_, O> {
                 self.curve.end = end;
                 return None;
             }
+            last = Some(before);
             if self.is_lost() || self.is_out_of_sight() {
                 self.curve.end = CurveEnd::Abandoned;
                 return None;
             }
         }
         None
+    }
+
+    /// What is known before a step from a station.
+    fn before(&self, station: &CurveStation) -> Before {
+        let Self { curve: Curve { points, events, .. }, signs, beyond, .. } = self;
+        let station = station.clone();
+        Before { station, points: points.len(), events: events.len(), signs: *signs, beyond: *beyond }
+    }
+
+    /// Forgets the steps since.
+    fn go_back(&mut self, Before { points, events, signs, beyond, .. }: Before) {
+        self.curve.points.truncate(points);
+        self.curve.events.truncate(events);
+        (self.signs, self.beyond) = (signs, beyond);
     }
 
     /// Whether the curve has hardly advanced for long, as where motion is so sensitive that no longer steps

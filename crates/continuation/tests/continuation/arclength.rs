@@ -187,6 +187,42 @@ fn a_sharp_bend_is_met_with_short_steps() {
 }
 
 #[test]
+fn no_step_leads_to_a_parallel_curve() {
+    // Two curves 0.13 apart drop by 0.1 within some 0.01. A step across the drop arrives nearer to the other one,
+    // whose tangent is the same.
+    fn drop(x: f64) -> [f64; 2] {
+        let tanh = libm::tanh((x - 1.0) / 0.005);
+        [-0.05 * (1.0 + tanh), -10.0 * (1.0 - tanh * tanh)]
+    }
+    let curves = PlaneCurve::everywhere(|x, y| {
+        let [own, slope] = drop(x);
+        let [a, b] = [y - own, y - own - 0.13];
+        [a * b, -slope * (a + b), a + b]
+    });
+    let mut walker = curves.start(CONTROL, [0.0, 0.0], [1.0, 0.0]).unwrap();
+    while walker.here().point[0] < 2.0 {
+        let [x, y] = walker.advance().unwrap().point.into();
+        assert_within(y, drop(x)[0], 1e-9);
+    }
+}
+
+#[test]
+fn points_of_a_sketch_are_as_good_as_its_steps_are_short() {
+    // On y = x²/2 as the zeros of the exponential of a thousand times the difference, less one.
+    let stiff = PlaneCurve::everywhere(|x, y| {
+        let value = libm::exp(1e3 * (y - 0.5 * x * x));
+        [value - 1.0, -1e3 * x * value, 1e3 * value]
+    });
+    let control = StepControl { tolerance: 1e-3, longest: 1e-3, ..CONTROL };
+    let mut walker = stiff.start(control, [0.0, 0.0], [1.0, 0.0]).unwrap();
+    for _ in 0..50 {
+        let [x, y] = walker.advance().unwrap().point.into();
+        // Half the square of the last Newton step, a hundredth of the step, times a thousand.
+        assert_within(y, 0.5 * x * x, 0.5 * 1e3 * 1e-5 * 1e-5);
+    }
+}
+
+#[test]
 fn a_curve_that_ends_stalls_with_the_cause_and_the_shortest_step() {
     // The diagonal up to x = 1 and nothing beyond.
     let curve = PlaneCurve { function: |x, y| [y - x, -1.0, 1.0], defined: |x, _| x <= 1.0 };
