@@ -30,19 +30,25 @@ fn curves_that_creep_along_the_edge_of_escape_end_early() {
     assert!(doubts.is_empty(), "{doubts:?}");
 }
 
-/// The spring gives way at x = 2.2 behind the wall: branches lead through motion over the top, where a point of a sketch may
-/// be far off its curve, and a step may lead to another curve beside it.
+/// Branches lead through motion over the top of a well, and of a spring that gives way at x = 2.2 behind the wall. A point of a
+/// sketch may be far off its curve there, and a step may lead to another curve beside it.
 #[test]
-fn branches_are_followed_through_motion_over_the_top_of_a_spring_that_softens() {
-    let scope = scope([0.0, 2.0046], [0.4645, 1.2706], &[1]);
-    let Window { primary, secondary } = scope.window;
-    let force = "-0.03358*v - (x + 1) + 0.10048*(x + 1)^3 + mu*cos(eta*t)";
-    let oscillator = described([force, "eta", "0"], 0.82187, [primary, secondary]).oscillator([0.2, 0.6]);
-    let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
-    let shaded = diagram.regions.iter().filter(|region| region.loops == 1 && region.doubt.is_none());
-    assert!(shaded.count() > 0);
-    let doubts: Vec<_> = diagram.regions.iter().filter_map(|region| region.doubt.as_ref()).collect();
-    assert!(doubts.is_empty(), "{doubts:?}");
+fn branches_are_followed_through_motion_over_the_top_of_a_potential() {
+    let spring = "-0.03358*v - (x + 1) + 0.10048*(x + 1)^3 + mu*cos(eta*t)";
+    let cases = [
+        (spring, 0.82187, scope([0.0, 2.0046], [0.4645, 1.2706], &[1])),
+        (WELL, 0.85, scope([0.0, 0.55], [0.45, 1.75], &[2])),
+    ];
+    for (force, restitution, scope) in cases {
+        let Window { primary, secondary } = scope.window;
+        let described = described([force, "eta", "0"], restitution, [primary, secondary]);
+        let diagram =
+            Diagram::compute(&described.oscillator([0.2, 0.6]), &scope, &Silent).expect("there is grazing");
+        let shaded = diagram.regions.iter().filter(|region| region.loops > 0 && region.doubt.is_none());
+        assert!(shaded.count() > 0, "{force}");
+        let doubts: Vec<_> = diagram.regions.iter().filter_map(|region| region.doubt.as_ref()).collect();
+        assert!(doubts.is_empty(), "{force}: {doubts:?}");
+    }
 }
 
 /// Two sheets of p = 3 come close at A = 0.248, ω = 1.037; a step may lead from one to the other, past a saddle-node that
