@@ -39,9 +39,11 @@ const SHORTEST: f64 = 3.0;
 /// The least distance between two labels of the same text, in points, so that each is seen to belong to
 /// something of its own.
 const TWINS: f64 = 10.0;
-/// The points of distance that a label may be farther away so that its leader crosses one curve less, and
-/// so that it covers a square point of a cloud less (visual choices).
+/// The points of distance that a label may be farther away so that its leader crosses one curve less, so
+/// that it lies over one piece of a line less, and so that it covers a square point of a cloud less (visual
+/// choices).
 const CROSSING: f64 = 15.0;
+const OVER_LINE: f64 = 45.0;
 const COVERING: f64 = 2.0;
 
 /// The position of a label.
@@ -199,9 +201,10 @@ impl Placer {
                 let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(label, leader)) else {
                     continue;
                 };
-                let covered = self.segments.iter().filter(|(a, b)| label.covers && bounds.meets(*a, *b));
-                let lines = (crossed + covered.count()) as f64;
-                let cost = gap + CROSSING * lines + COVERING * self.dusty(&bounds) as f64;
+                let lines = self.segments.iter().chain(&self.nameless);
+                let covered = lines.filter(|(a, b)| label.covers && bounds.meets(*a, *b));
+                let lines = CROSSING * crossed as f64 + OVER_LINE * covered.count() as f64;
+                let cost = gap + lines + COVERING * self.dusty(&bounds) as f64;
                 if best.is_none_or(|(cheapest, _)| cost < cheapest) {
                     best = Some((cost, LabelPlace { bounds, leader }));
                 }
