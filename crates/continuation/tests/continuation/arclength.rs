@@ -202,7 +202,9 @@ fn no_step_leads_to_a_parallel_curve() {
     let mut walker = curves.start(CONTROL, [0.0, 0.0], [1.0, 0.0]).unwrap();
     while walker.here().point[0] < 2.0 {
         let [x, y] = walker.advance().unwrap().point.into();
-        assert_within(y, drop(x)[0], 1e-9);
+        // The last Newton step is below 1e-7, and the drop's second derivative is 1540: half of its square times that, and room
+        // for the product of the two curves.
+        assert_within(y, drop(x)[0], 1e-10);
     }
 }
 
