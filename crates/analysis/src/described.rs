@@ -6,6 +6,7 @@ use grazing_continuation::curve::Window;
 use grazing_input::{Axis, Description, OwnCurve, Property as Written};
 use grazing_model::smooth::{Stop, Stoppable, Units};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OscillatorError};
+use grazing_results::Dimensioned;
 use grazing_unfold::levels::{Level, Property};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
@@ -60,8 +61,8 @@ impl Prepared {
     }
 
     /// A place given in the oscillator's own units, in dimensionless form.
-    pub fn without_dimensions(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
-        [primary / self.axes.units.primary, secondary / self.axes.units.secondary]
+    pub fn without_dimensions(&self, place: [f64; 2]) -> [f64; 2] {
+        self.axes.units.without_dimensions(place)
     }
 }
 
@@ -123,13 +124,11 @@ fn scope(description: &Description) -> Scope {
 pub fn levels(description: &Description, units: &Units) -> Vec<Level> {
     let level = |OwnCurve { name, loops, property }: &OwnCurve| {
         let property = match *property {
-            Written::ImpactVelocity(velocity) => Property::ImpactVelocity(velocity / units.velocity()),
+            Written::ImpactVelocity(velocity) => Property::ImpactVelocity(velocity),
             Written::Modulus(modulus) => Property::Modulus(modulus),
-            Written::Distance { distance, phase } => {
-                Property::Distance { phase: TAU * phase, distance: distance / units.length }
-            }
+            Written::Distance { distance, phase } => Property::Distance { phase: TAU * phase, distance },
         };
-        Level { name: name.clone(), loops: loops.clone(), property }
+        Level { name: name.clone(), loops: loops.clone(), property: property.without_dimensions(units) }
     };
     description.curves().iter().map(level).collect()
 }

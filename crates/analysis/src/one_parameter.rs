@@ -4,13 +4,13 @@ use core::f64::consts::TAU;
 
 use grazing_input::Description;
 use grazing_model::smooth::{SmoothOscillator, Stop};
+use grazing_results::Dimensioned;
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::{MotionReading, Ordinate, Reading};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::unfinished::Unfinished;
-use grazing_unfold::units::InUnits;
 
 use crate::described::prepared;
 
@@ -83,7 +83,7 @@ fn weigh(found: &mut OneParameter, description: &Description) {
 pub fn in_own_units(found: OneParameter, ordinate: Ordinate, description: &Description) -> OneParameter {
     let ordinate = if found.readings.is_empty() { Ordinate::X } else { ordinate };
     let from_the_wall = !description.wall().is_usual();
-    let mut found = OneParameter { ordinate, from_the_wall, ..found }.in_units(&description.units());
+    let mut found = OneParameter { ordinate, from_the_wall, ..found }.with_dimensions(&description.units());
     weigh(&mut found, description);
     found
 }

@@ -16,7 +16,6 @@ use grazing_unfold::levels::{Level, LevelCurve};
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{Doubt, Region};
 use grazing_unfold::straightened::StraightCurve;
-use grazing_unfold::units::InUnits;
 
 /// The names of the two parameters, which head their columns, and the units of the tables, to which
 /// dimensionless results are converted.
@@ -57,7 +56,7 @@ pub fn plane_diagram(
         curves: curves(axes, first),
         points: points(axes, first),
         regions: regions_of(axes, first),
-        frame: first.scope.window.in_units(&axes.units).into(),
+        frame: first.scope.window.with_dimensions(&axes.units).into(),
         magnified,
         sections,
         own: own_curves(axes, first),
@@ -213,7 +212,7 @@ pub fn own_curves(axes: &Axes, diagram: &Diagram) -> Vec<OwnPoint> {
     let mut rows = Vec::new();
     for (arc, LevelCurve { level, loops, curve }) in (0..).zip(&diagram.levels.curves) {
         let Level { name, property, .. } = &diagram.asked[*level];
-        let property = property.in_units(&axes.units).to_string();
+        let property = property.with_dimensions(&axes.units).to_string();
         // The kind of bifurcation is not used here.
         let curve = DiagramCurve { kind: Bifurcation::SaddleNode, loops: *loops, n: 0, curve: curve.clone() };
         rows.extend(bifurcation_rows(axes, diagram, &curve).into_iter().map(|point| OwnPoint {

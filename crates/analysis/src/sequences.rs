@@ -18,9 +18,12 @@ use crate::plane::{on_curve, with_ends};
 /// The rows of solutions with several impacts, in these units, as the wall with this number sees them, if there are two.
 pub fn rows(found: &Sequences, units: &Units, wall: u32) -> SequenceDiagram {
     let resonances = (1..).zip(&found.resonances).map(|(number, at)| resonance(number, at, units));
+    let curves = numbered(found).flat_map(|(arc, of, curve)| {
+        points(arc, of, curve, units).into_iter().map(move |point| own_point(of, wall, point))
+    });
     SequenceDiagram {
         resonances: resonances.collect(),
-        curves: numbered(found).flat_map(|(arc, of, curve)| points(arc, (of, wall), curve, units)).collect(),
+        curves: curves.collect(),
         regions: regions(found.solutions.iter(), units, wall),
     }
 }
@@ -43,14 +46,21 @@ pub fn hit_both(of: &Sequence) -> bool {
 /// phases of impacts.
 pub fn at_both_walls(found: &Sequences, units: &Units) -> Vec<PlanePoint> {
     let both = numbered(found).filter(|(_, of, _)| hit_both(of));
-    let rows = both.flat_map(|(arc, of, curve)| {
-        let point = |solution: &PeriodicSolution| {
-            let at = on_curve(curve.kind, solution, [solution.impact_velocity(), f64::NAN]);
-            PlanePoint { kind: curve.kind, loops: of.periods, wall: 0, n: 0, at: OnCurve { arc, ..at } }
-        };
-        with_ends(units, curve.curve.points.iter().map(|one| point(&one.solution)), curve.curve.lost())
-    });
-    rows.collect()
+    both.flat_map(|(arc, of, curve)| points(arc, of, curve, units)).collect()
+}
+
+/// A curve with this number, point by point, without phases of impacts.
+fn points(
+    arc: u32,
+    of: &Sequence,
+    DiagramCurve { kind, curve, .. }: &DiagramCurve,
+    units: &Units,
+) -> Vec<PlanePoint> {
+    let point = |solution: &PeriodicSolution| {
+        let at = on_curve(*kind, solution, [solution.impact_velocity(), f64::NAN]);
+        PlanePoint { kind: *kind, loops: of.periods, wall: 0, n: 0, at: OnCurve { arc, ..at } }
+    };
+    with_ends(units, curve.points.iter().map(|one| point(&one.solution)), curve.lost())
 }
 
 /// All curves, numbered from 0, each with the solutions that it is of.
@@ -83,38 +93,24 @@ fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonan
     .with_dimensions(units)
 }
 
-fn points(
-    arc: u32,
-    (of, wall): (&Sequence, u32),
-    DiagramCurve { kind, curve, .. }: &DiagramCurve,
-    units: &Units,
-) -> Vec<SequencePoint> {
-    let row = |solution: &PeriodicSolution| {
-        let at = on_curve(*kind, solution, [solution.impact_velocity(), f64::NAN]);
-        SequencePoint {
-            impacts: of.impacts as u32,
-            periods: of.periods,
-            walls: walls(of, wall),
-            kind: *kind,
-            secondary: at.secondary,
-            primary: at.primary,
-            impact_velocity: at.impact_velocity,
-            trace: at.trace,
-            determinant: at.determinant,
-            max_interior_x: at.max_interior_x,
-            stable: at.stable,
-            admissible: at.admissible,
-            arc,
-            lost: at.lost,
-        }
-        .with_dimensions(units)
-    };
-    let mut rows: Vec<SequencePoint> = curve.points.iter().map(|point| row(&point.solution)).collect();
-    let [first, last] = curve.lost().map(Option::unwrap_or_default);
-    if let [begin, .., end] = rows.as_mut_slice() {
-        (begin.lost, end.lost) = (first, last);
+/// A point of a curve of these solutions, in its own table.
+fn own_point(of: &Sequence, wall: u32, PlanePoint { kind, at, .. }: PlanePoint) -> SequencePoint {
+    SequencePoint {
+        impacts: of.impacts as u32,
+        periods: of.periods,
+        walls: walls(of, wall),
+        kind,
+        secondary: at.secondary,
+        primary: at.primary,
+        impact_velocity: at.impact_velocity,
+        trace: at.trace,
+        determinant: at.determinant,
+        max_interior_x: at.max_interior_x,
+        stable: at.stable,
+        admissible: at.admissible,
+        arc: at.arc,
+        lost: at.lost,
     }
-    rows
 }
 
 /// The regions of solutions with several impacts, vertex by vertex.

@@ -15,12 +15,11 @@ use grazing_results::measured::{Comparison, Identified};
 use grazing_results::plane::{
     Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section, SequenceDiagram, StraightenedCurves,
 };
-use grazing_results::{Names, Tables, UnitNames, tables};
+use grazing_results::{Dimensioned, Names, Tables, UnitNames, tables};
 use grazing_unfold::levels::Level;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequence, Sequences, of_diagram};
 use grazing_unfold::unfinished::Unfinished;
-use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 
@@ -135,7 +134,7 @@ impl Unfolded {
             (Err(_), Some(other)) => Ok(other),
             (Err(error), None) => Err(error),
         };
-        let mut unfolded = unfolded.map_err(|error| error.in_units(&units));
+        let mut unfolded = unfolded.map_err(|error| error.with_dimensions(&units));
         if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
             // Diagrams are seen from the first wall.
             let curves = if diagram.wall < 2 { diagram.curves.as_slice() } else { &[] };
@@ -349,7 +348,7 @@ fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<Grazi
         // Where an iterate of P_global has no maximum near Π, these quantities do not exist.
         let found = states.par_iter().filter_map(|(arc, state)| {
             let parameters = units.parameters(state.orbit.oscillator().parameters());
-            let point = state.orbit.resonant_point(loops).ok()?.in_units(units);
+            let point = state.orbit.resonant_point(loops).ok()?.with_dimensions(units);
             Some(GrazingLoopRow { arc: *arc, wall: diagram.wall, parameters, point })
         });
         all.extend(found.collect::<Vec<_>>());

@@ -211,7 +211,7 @@ function legend({ strands, left_out: leftOut = [] }) {
   $("cut-legend").replaceChildren(...entries.map(([sample, word]) => make("li", {}, sample, word)), ...(leftOut ?? []).map((words) => make("li", {}, `Left out: ${words}`)));
 }
 
-function drawFound(context, { strands, bifurcations, dots, values, old }, to, ink, strength) {
+function drawFound(context, { fixed, strands, bifurcations, dots, values, old }, to, ink, strength) {
   drawDots(context, dots, values, to, ink, old ? 0.25 : strength);
   context.globalAlpha = 1;
   const box = [frame.x - 5, frame.y - 5, frame.x + frame.w + 5, frame.y + frame.h + 5];
@@ -234,8 +234,8 @@ function drawFound(context, { strands, bifurcations, dots, values, old }, to, in
   context.globalAlpha = strength;
   context.setLineDash([]);
   const taken = [];
-  for (const { kind, p, impacts, at, x } of bifurcations) {
-    const [px, py] = to([at, x]);
+  for (const { kind, p, impacts, primary, secondary, x } of bifurcations) {
+    const [px, py] = to([fixed === "primary" ? secondary : primary, x]);
     context.beginPath();
     context.arc(px, py, 3.6, 0, 2 * Math.PI);
     context.fillStyle = curveInk(kind) ?? ink.marker;

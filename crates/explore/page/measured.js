@@ -173,7 +173,8 @@ function list() {
   $("measured-marks").replaceChildren(...entries.map((entry) => make("li", {}, ...entry)));
   if (!result) return;
   const heads = ["region", "p", "all", "agree", "within error", "disagree", "undecided"];
-  const rows = result.counts.map(({ region, kind, p, counts }) => make("tr", {}, ...[region ? `${region}: ${kind === "mps" ? "MPS" : kind}` : kind, kind === "none" ? "–" : p, ...counts].map((cell) => make("td", {}, String(cell)))));
+  const cells = ({ region, kind, p, points, agree, within_error, disagree, undecided }) => [region ? `${region}: ${kind === "mps" ? "MPS" : kind}` : kind, kind === "none" ? "–" : p, points, agree, within_error, disagree, undecided];
+  const rows = result.counts.map((count) => make("tr", {}, ...cells(count).map((cell) => make("td", {}, String(cell)))));
   $("measured-table").replaceChildren(make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))), make("tbody", {}, ...rows));
   const against = all.filter(({ agreement }) => agreement === "disagrees");
   const items = against.slice(0, LISTED).map(({ line, seen, reason }) => make("li", {}, `Line ${line}, ${seen}: ${reason}`));

@@ -1,7 +1,8 @@
 //! Answers, independent of their transport.
 
 use grazing_input::Mistake;
-use serde_json::{Value, json};
+use grazing_results::{Cell, Row};
+use serde_json::{Map, Value, json};
 
 /// The reason why there is no answer.
 #[derive(Debug)]
@@ -48,6 +49,18 @@ impl From<Mistake> for Problem {
         let line = line.map_or(String::new(), |line| format!("line {line}: "));
         Self::wrong(format!("{line}{message}"))
     }
+}
+
+/// A row for the page: each cell under its column's name, the parameters as `primary` and `secondary`.
+pub(crate) fn told<R: Row>(row: &R) -> Map<String, Value> {
+    let value = |cell| match cell {
+        Cell::Text(words) => json!(words),
+        Cell::Integer(count) => json!(count),
+        Cell::Number(number) => json!(number),
+        Cell::Flag(yes) => json!(yes),
+    };
+    let names = R::COLUMNS.iter().map(|column| column.name.replace(['{', '}'], ""));
+    names.zip(row.cells().into_iter().map(value)).collect()
 }
 
 /// A file that is exported.

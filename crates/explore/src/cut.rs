@@ -4,6 +4,7 @@
 use grazing_analysis::one_parameter::{SAMPLING, in_own_units};
 use grazing_input::Description;
 use grazing_model::smooth::Stop;
+use grazing_results::Dimensioned;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::readings::{Ordinate, Reading};
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
@@ -11,7 +12,7 @@ use grazing_unfold::progress::Progress;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::answer::Problem;
+use crate::answer::{Problem, told};
 use crate::events::Events;
 use crate::model::{Model, View};
 
@@ -131,15 +132,11 @@ fn event(found: &OneParameter) -> Value {
         };
         json!({"p": rows[0].loops, "impacts": rows[0].impacts, "points": rows.iter().map(point).collect::<Vec<_>>()})
     };
-    let bifurcations = found
-        .bifurcations
-        .iter()
-        .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "impacts": row.impacts, "at": found.across(row), "x": row.x}));
     // A strand is broken where a visit is unknown.
     let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
     json!({
         "frame": found.frame.y,
         "strands": pieces.filter(|rows| !rows[0].x.is_nan()).map(strand).collect::<Vec<_>>(),
-        "bifurcations": bifurcations.collect::<Vec<_>>(),
+        "bifurcations": found.bifurcations.iter().map(told).collect::<Vec<_>>(),
     })
 }

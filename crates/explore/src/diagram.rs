@@ -11,18 +11,18 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
-use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, SpecialPoint, Vertex};
+use grazing_results::Dimensioned;
+use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, Vertex};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sequences::of_diagram;
-use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::answer::Problem;
+use crate::answer::{Problem, told};
 use crate::events::Events;
 use crate::kept::Sent;
 use crate::model::{Model, View};
@@ -65,12 +65,12 @@ pub(crate) fn known(
 /// The diagram with all its regions, as each wall sees it.
 pub(crate) fn whole(of: &Prepared, progress: &dyn Progress) -> Result<Vec<Diagram>, Problem> {
     let seen = of.from_each_wall().map(|view| view.whole(progress)).collect::<Result<_, _>>();
-    seen.map_err(|error| problem(&of.axes, &error))
+    seen.map_err(|error| problem(&of.axes, error))
 }
 
 /// Why there is no diagram.
-pub(crate) fn problem(axes: &Axes, error: &UnfoldError) -> Problem {
-    Problem::wrong(error.in_units(&axes.units).to_string())
+pub(crate) fn problem(axes: &Axes, error: UnfoldError) -> Problem {
+    Problem::wrong(error.with_dimensions(&axes.units).to_string())
 }
 
 /// The kind of curves that a file asks for.
@@ -96,7 +96,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     let mut all = Shown::default();
     let mut seen: Vec<Diagram> = Vec::new();
     for view in of.from_each_wall() {
-        let located = view.located(events).map_err(|error| problem(&axes, &error))?;
+        let located = view.located(events).map_err(|error| problem(&axes, error))?;
         let rows =
             plane::grazing_rows(&axes, &located).into_iter().filter(|rows| is_shown(rows, located.wall));
         let grazing = (0..).zip(rows).map(|(k, rows)| curve(&rows, k));
@@ -132,7 +132,8 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     // Regions of stable solutions are shown all the same.
     let empty = shown.len() == of_one_impact && seen.iter().all(|diagram| diagram.nothing().is_some());
     if let Some(reason) = seen[0].nothing().filter(|_| empty) {
-        let Nothing { found, question, .. } = Nothing::new(&reason.in_units(&axes.units), &description);
+        let Nothing { found, question, .. } =
+            Nothing::new(&reason.clone().with_dimensions(&axes.units), &description);
         tell("nothing", json!({"found": found, "question": question}));
     }
     if !(*coarse || stop.is_asked()) {
@@ -178,7 +179,11 @@ impl Shown {
         );
         let rows = plane::points(axes, diagram);
         let points = rows.iter().zip(known).filter(|(row, _)| plane::counts(row.loops, diagram.wall));
-        self.points.extend(points.map(|(row, multipliers)| point(row, multipliers)));
+        self.points.extend(points.map(|(row, multipliers)| {
+            let mut point = told(row);
+            point.insert("multipliers".to_owned(), multipliers);
+            Value::Object(point)
+        }));
         if !coarse {
             let rows = plane::regions(axes, &diagram.regions);
             let regions = rows.chunk_by(|a, b| a.region == b.region);
@@ -293,11 +298,6 @@ pub(crate) fn eigenvalues(multipliers: &Multipliers) -> Value {
 }
 
 const ROUNDED: f64 = 1e4;
-
-fn point(point: &SpecialPoint, multipliers: Value) -> Value {
-    let SpecialPoint { kind, loops, n, secondary, primary, .. } = point;
-    json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary, "multipliers": multipliers})
-}
 
 /// The first two unknowns at the points of all curves, from which `exact` finds places exactly on them.
 fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {

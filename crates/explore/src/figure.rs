@@ -148,7 +148,7 @@ fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<S
         Ok(located.with_curves(followed))
     };
     let seen = of.from_each_wall().map(followed).collect::<Result<Vec<Diagram>, UnfoldError>>();
-    let seen = seen.map_err(|error| problem(&of.axes, &error))?;
+    let seen = seen.map_err(|error| problem(&of.axes, error))?;
     let window = of.scope.window;
     let far = |(_, (_, point)): &(&Diagram, (&Resonance, &ResonantGrazingPoint))| {
         let [_, _, primary, secondary] = point.unknowns().into();

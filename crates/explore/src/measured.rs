@@ -3,13 +3,13 @@
 use grazing_analysis::plane::Axes;
 use grazing_measured::{Observation, Setup, compare, read};
 use grazing_model::smooth::Stop;
-use grazing_results::measured::{Comparison, MeasuredCount, MeasuredPoint};
+use grazing_results::measured::Comparison;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Progress;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::answer::Problem;
+use crate::answer::{Problem, told};
 use crate::diagram;
 use crate::events::Events;
 use crate::model::{Model, View};
@@ -94,31 +94,15 @@ pub(crate) fn read(request: &ReadRequest, stop: &Stop) -> Result<Value, Problem>
 pub(crate) fn compute(request: &CompareRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let CompareRequest { model, view, measured } = request;
     let (axes, diagrams) = diagram::known(model, view, events, stop)?;
-    events.send("measured", &told(&measured.beside(model, (&axes, &diagrams), events, stop)?));
+    events.send("measured", &beside(&measured.beside(model, (&axes, &diagrams), events, stop)?));
     Ok(())
 }
 
 /// A comparison, for the page.
-fn told((compared, outside): &(Comparison, usize)) -> Value {
-    let point = |row: &MeasuredPoint| {
-        json!({
-            "line": row.line,
-            "agreement": row.agreement.name(),
-            "theory": row.theory,
-            "reason": row.reason,
-        })
-    };
-    let count = |row: &MeasuredCount| {
-        json!({
-            "region": row.region,
-            "kind": row.kind,
-            "p": row.loops,
-            "counts": [row.points, row.agree, row.within_error, row.disagree, row.undecided],
-        })
-    };
+fn beside((compared, outside): &(Comparison, usize)) -> Value {
     json!({
-        "points": compared.points.iter().map(point).collect::<Vec<_>>(),
-        "counts": compared.counts.iter().map(count).collect::<Vec<_>>(),
+        "points": compared.points.iter().map(told).collect::<Vec<_>>(),
+        "counts": compared.counts.iter().map(told).collect::<Vec<_>>(),
         "outside": outside,
     })
 }

@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::Bifurcation;
 
 use crate::readings::{MotionReading, Ordinate, Reading, Sweep};
-use crate::{Dimension, Dimensioned, Frame, Names, Stability, Table, Tables, rows, tables, words};
+use crate::{Dimension, Dimensioned, Frame, Names, Stability, Table, Tables, columns, rows, tables, words};
 
 words! {
     /// The kinds of phase portraits.
@@ -68,10 +68,7 @@ rows! {
 }
 
 /// A row of a one-parameter diagram, of any type.
-pub trait DiagramRow {
-    /// Visits every number with the dimension of its column.
-    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64));
-
+pub trait DiagramRow: Dimensioned {
     /// Primary and secondary parameter.
     fn parameters(&self) -> [f64; 2];
 
@@ -86,14 +83,10 @@ macro_rules! diagram_rows {
                 [self.primary, self.secondary]
             }
 
-            fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
-                Dimensioned::each_number(self, visit);
-            }
-
             fn place(&mut self, diagram: u32, exchanged: bool) {
                 self.diagram = diagram;
                 if exchanged {
-                    Dimensioned::exchange(self);
+                    self.exchange();
                 }
             }
         }
@@ -187,6 +180,20 @@ tables! {
         readings: Reading = "diagram_readings", "a solution on a branch of a one-parameter diagram, with quantities derived from it",
         motion: MotionReading = "diagram_motion",
             "an impact of simulated motion after transients, or motion without impacts, with quantities derived from it",
+    }
+}
+
+impl Dimensioned for OneParameter {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        self.each_row(&mut |row| row.each_number(visit));
+        let [across, held] =
+            self.exchanged([columns::PRIMARY, columns::SECONDARY].map(|column| column.dimension));
+        visit(held, &mut self.at);
+        for frame in self.magnified.iter_mut().chain([&mut self.frame]) {
+            frame.x.iter_mut().for_each(|end| visit(across, end));
+            frame.y.iter_mut().for_each(|end| visit(columns::X.dimension, end));
+        }
+        self.broken.iter_mut().for_each(|(_, at, _)| visit(across, at));
     }
 }
 

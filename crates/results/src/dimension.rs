@@ -1,4 +1,6 @@
-//! The dimensions of columns, and rows in other units.
+//! The dimensions of numbers, and rows and other results in other units.
+
+mod theory;
 
 use grazing_model::smooth::Units;
 
@@ -85,12 +87,14 @@ const fn place(text: &[u8], begin: usize, end: usize, words: &[&str]) -> Option<
     None
 }
 
-/// A row that knows the dimensions of its numbers from their columns.
-pub trait Dimensioned: Sized {
-    /// Visits every number with the dimension of its column.
+/// A result that knows the dimensions of its numbers: a row from their columns ([`rows!`](crate::rows)), any other as
+/// it is declared ([`dimensioned!`](crate::dimensioned)).
+pub trait Dimensioned {
+    /// Visits every number with its dimension.
     fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64));
 
-    /// Exchanges the values of the two parameters, with their errors: a row has as many numbers of one as of the other.
+    /// Exchanges the values of the two parameters, with their errors: a result has as many numbers of one as of the
+    /// other.
     fn exchange(&mut self) {
         let mut values = [const { Vec::new() }; 2];
         self.each_number(&mut |dimension, number| {
@@ -107,19 +111,46 @@ pub trait Dimensioned: Sized {
         });
     }
 
-    /// A dimensionless row in these units.
+    /// A dimensionless result in these units.
     #[must_use]
-    fn with_dimensions(mut self, units: &Units) -> Self {
+    fn with_dimensions(mut self, units: &Units) -> Self
+    where
+        Self: Sized,
+    {
         self.each_number(&mut |dimension, number| *number *= dimension.size(units));
         self
     }
 
-    /// A row in these units without dimensions.
+    /// A result in these units without dimensions.
     #[must_use]
-    fn without_dimensions(mut self, units: &Units) -> Self {
+    fn without_dimensions(mut self, units: &Units) -> Self
+    where
+        Self: Sized,
+    {
         self.each_number(&mut |dimension, number| *number /= dimension.size(units));
         self
     }
+}
+
+impl<T: Dimensioned> Dimensioned for Vec<T> {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        self.iter_mut().for_each(|one| one.each_number(visit));
+    }
+}
+
+/// Declares the units of the numbers of results that are no rows: with which of them, each number that has one.
+///
+/// `dimensioned! { Escape, |own| { own.time => "time", own.position => "length", } }`
+#[macro_export]
+macro_rules! dimensioned {
+    ($($type:ty, |$own:ident| { $($number:expr => $unit:literal,)+ })+) => {$(
+        impl $crate::Dimensioned for $type {
+            fn each_number(&mut self, visit: &mut dyn FnMut($crate::Dimension, &mut f64)) {
+                let $own = self;
+                $(visit(const { $crate::Dimension::of($unit) }, &mut $number);)+
+            }
+        }
+    )+};
 }
 
 /// What a field of a row holds: a number, or something without dimension.

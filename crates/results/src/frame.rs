@@ -2,6 +2,8 @@
 
 use grazing_continuation::curve::Window;
 
+use crate::{Dimension, columns};
+
 /// The least and the greatest of some numbers; [∞, −∞] if there are none.
 pub fn span(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let none = [f64::INFINITY, f64::NEG_INFINITY];
@@ -24,10 +26,10 @@ impl Frame {
         [(left, low), (right, low), (right, high), (left, high), (left, low)]
     }
 
-    /// The frame with its axes exchanged.
-    #[must_use]
-    pub fn swapped(self) -> Self {
-        Self { x: self.y, y: self.x }
+    /// Visits the numbers of a frame of the plane of the two parameters.
+    pub(crate) fn each_parameter(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        self.x.iter_mut().for_each(|primary| visit(columns::PRIMARY.dimension, primary));
+        self.y.iter_mut().for_each(|secondary| visit(columns::SECONDARY.dimension, secondary));
     }
 
     /// Whether the point is inside or on the edge; false for NaN.

@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
 use crate::measured::MeasuredPoint;
-use crate::{Dimensioned, Frame, Stability, rows, tables, words};
+use crate::{Dimension, Dimensioned, Frame, Stability, columns, rows, tables, words};
 
 words! {
     /// The kinds of regions of the parameter plane, by the solutions that are stable and admissible
@@ -172,33 +172,30 @@ impl PlanePoint {
     }
 }
 
-impl PlaneDiagram {
-    /// The diagram with its axes exchanged: the secondary parameter takes the role of the primary one.
-    #[must_use]
-    pub fn swapped(mut self) -> Self {
-        self.curves.iter_mut().for_each(Dimensioned::exchange);
-        self.points.iter_mut().for_each(Dimensioned::exchange);
-        self.regions.iter_mut().for_each(Dimensioned::exchange);
-        self.own.iter_mut().for_each(Dimensioned::exchange);
-        self.several.iter_mut().for_each(Dimensioned::exchange);
-        self.at_both_walls.iter_mut().for_each(Dimensioned::exchange);
-        self.measured.iter_mut().for_each(Dimensioned::exchange);
-        self.magnified.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
-        self.sections.iter_mut().for_each(|section| section.ends = section.ends.map(|(a, b)| (b, a)));
-        self.frame = self.frame.swapped();
-        self
+impl Dimensioned for PlaneDiagram {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        self.curves.each_number(visit);
+        self.points.each_number(visit);
+        self.regions.each_number(visit);
+        self.own.each_number(visit);
+        self.several.each_number(visit);
+        self.at_both_walls.each_number(visit);
+        self.measured.each_number(visit);
+        let frames = self.magnified.iter_mut().map(|panel| &mut panel.frame);
+        frames.chain([&mut self.frame]).for_each(|frame| frame.each_parameter(visit));
+        for (primary, secondary) in self.sections.iter_mut().flat_map(|section| &mut section.ends) {
+            visit(columns::PRIMARY.dimension, primary);
+            visit(columns::SECONDARY.dimension, secondary);
+        }
     }
 }
 
-impl Magnifications {
-    /// The magnifications with their axes exchanged.
-    #[must_use]
-    pub fn swapped(mut self) -> Self {
-        self.curves.iter_mut().for_each(Dimensioned::exchange);
-        self.points.iter_mut().for_each(Dimensioned::exchange);
-        self.regions.iter_mut().for_each(Dimensioned::exchange);
-        self.panels.iter_mut().for_each(|panel| panel.frame = panel.frame.swapped());
-        self
+impl Dimensioned for Magnifications {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        self.curves.each_number(visit);
+        self.points.each_number(visit);
+        self.regions.each_number(visit);
+        self.panels.iter_mut().for_each(|panel| panel.frame.each_parameter(visit));
     }
 }
 

@@ -107,16 +107,6 @@ impl Hypothesis {
         Self::new(quantity, value, Condition::NonZero)
     }
 
-    /// The hypothesis with the quantity in other units: one of the present units is `unit` of the
-    /// new ones.
-    pub fn in_units_of(&self, unit: f64) -> Self {
-        let condition = match self.condition {
-            Condition::Zero { tolerance } => Condition::Zero { tolerance: tolerance * unit },
-            other => other,
-        };
-        Self { value: self.value * unit, condition, ..*self }
-    }
-
     /// The condition as text, such as "a12 alpha > 0".
     pub fn statement(&self) -> String {
         let quantity = self.quantity;

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use grazing_continuation::curve::Window;
 use grazing_input::Description;
 use grazing_model::smooth::{Purpose, Stop};
+use grazing_results::Dimensioned;
 use grazing_unfold::{Diagram, Scope};
 
 /// The examples among them.

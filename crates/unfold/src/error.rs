@@ -1,5 +1,7 @@
 //! Reasons why there is nothing to unfold.
 
+use grazing_results::{Dimension, Dimensioned};
+
 use crate::escape::Escape;
 use crate::non_impacting::Height;
 
@@ -38,4 +40,18 @@ pub enum UnfoldError {
         /// The point at which it touches the wall.
         at: Height,
     },
+}
+
+impl Dimensioned for UnfoldError {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        match self {
+            Self::RunsAway { escape } => escape.each_number(visit),
+            Self::NoGrazing { lowest, highest, .. } => {
+                lowest.each_number(visit);
+                highest.each_number(visit);
+            }
+            Self::Pushed { at } => at.each_number(visit),
+            Self::NoOrbit | Self::Stopped { .. } => {}
+        }
+    }
 }

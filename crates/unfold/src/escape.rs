@@ -2,6 +2,7 @@
 
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_results::dimensioned;
 
 /// The last known point of a motion without the wall that does not last for a forcing period.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +18,17 @@ pub struct Escape {
     /// The force there; if it cannot be computed immediately behind this point, its value there,
     /// which is not finite.
     pub force: f64,
+}
+
+dimensioned! {
+    Escape, |own| {
+        own.parameters[0] => "{primary}",
+        own.parameters[1] => "{secondary}",
+        own.time => "time",
+        own.position => "length",
+        own.velocity => "length/time",
+        own.force => "length/time^2",
+    }
 }
 
 /// Number of halvings of the period by which the time of the end is narrowed down.

@@ -13,6 +13,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, LocateFailure, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
+use grazing_results::{Dimension, Dimensioned};
 
 use crate::curves::route;
 use crate::parallel;
@@ -39,6 +40,16 @@ pub enum Property {
         /// The distance, positive.
         distance: f64,
     },
+}
+
+impl Dimensioned for Property {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        match self {
+            Self::ImpactVelocity(velocity) => visit(Dimension::of("length/time"), velocity),
+            Self::Modulus(_) => {}
+            Self::Distance { distance, .. } => visit(Dimension::of("length"), distance),
+        }
+    }
 }
 
 /// A request for curves.

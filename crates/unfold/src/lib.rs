@@ -17,7 +17,7 @@
 //!
 //! All quantities are in units in which motion is of the order of one:
 //! [`Dimensionless`](grazing_model::smooth::Dimensionless) converts any oscillator to this form,
-//! and [`units`] converts results back.
+//! and [`Dimensioned`](grazing_results::Dimensioned) converts results back.
 //!
 //! All functions take [`AnyOscillator`](grazing_model::AnyOscillator): the paper's oscillator with
 //! its closed form and one that is integrated from a text file differ only in their flow.
@@ -109,7 +109,6 @@ mod suggestion;
 mod survey;
 mod tolerances;
 pub mod unfinished;
-pub mod units;
 pub mod verdict;
 pub mod verification;
 mod winding;

@@ -19,9 +19,9 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Curve;
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_model::{AnyOscillator, ImpactOscillator};
-use grazing_results::Frame;
 use grazing_results::branches::{AttractorPoint, BranchBifurcation, DiagramRow, OneParameter};
 use grazing_results::readings::Ordinate;
+use grazing_results::{Dimension, Dimensioned, Frame, columns};
 
 pub use branches::Branch;
 pub use oriented::oriented;
@@ -51,6 +51,17 @@ pub struct Line {
     /// The values of the other parameter that are shown, inside the range of the scope, through
     /// which branches are followed.
     pub range: [f64; 2],
+}
+
+impl Dimensioned for Line {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        let [mut across, mut held] = [columns::PRIMARY.dimension, columns::SECONDARY.dimension];
+        if self.primary_is_fixed {
+            (across, held) = (held, across);
+        }
+        visit(held, &mut self.at);
+        self.range.iter_mut().for_each(|end| visit(across, end));
+    }
 }
 
 /// Settings for the sampling of long-term behaviour.

@@ -2,6 +2,7 @@
 
 use grazing_continuation::curve::Window;
 use grazing_model::{AnyOscillator, ImpactOscillator};
+use grazing_results::{Dimension, Dimensioned};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector3;
 
@@ -15,6 +16,16 @@ pub struct Scope {
     /// A state (x, y) at phase zero from which the non-impacting motion is looked for, in addition
     /// to the usual ones.
     pub start: Option<[f64; 2]>,
+}
+
+impl Dimensioned for Scope {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        self.window.each_number(visit);
+        if let Some([x, y]) = &mut self.start {
+            visit(Dimension::of("length"), x);
+            visit(Dimension::of("length/time"), y);
+        }
+    }
 }
 
 impl Scope {

@@ -16,6 +16,7 @@ use grazing_continuation::locate::{Condition, locate, same_point};
 use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
 use grazing_continuation::resonance::{LeavingCurve, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
+use grazing_results::{Dimension, Dimensioned, dimensioned};
 use grazing_theorems::from_map::GrazingPlace;
 
 use crate::diagram::Diagram;
@@ -40,6 +41,21 @@ pub struct StraightCurve {
     pub coefficient: f64,
     /// The points of the curve from the resonance on.
     pub points: Vec<StraightPoint>,
+}
+
+dimensioned! {
+    StraightPoint, |own| {
+        own.eta => "{secondary}",
+        own.distance.value => "{primary}/{secondary}^2",
+        own.distance.error => "{primary}/{secondary}^2",
+    }
+}
+
+impl Dimensioned for StraightCurve {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        visit(Dimension::of("{primary}/{secondary}^2"), &mut self.coefficient);
+        self.points.each_number(visit);
+    }
 }
 
 /// Number of roundings in the difference of two places, each found by Newton's method.

@@ -6,6 +6,7 @@ use grazing_continuation::fit::{Estimate, FitError, Measurement, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::global_iterate;
 use grazing_model::{AtRest, ImpactOscillator};
+use grazing_results::{Dimension, Dimensioned};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Matrix2;
@@ -19,6 +20,18 @@ pub struct Coefficient {
     pub theorem: Estimate,
     /// The limit of μ/η² on the continued curve.
     pub fit: Result<Measurement, FitError>,
+}
+
+impl Dimensioned for Coefficient {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        let Self { theorem: Estimate { value, error }, fit, .. } = self;
+        [value, error].into_iter().for_each(|number| visit(Dimension::of("{primary}/{secondary}^2"), number));
+        match fit {
+            Ok(measurement) => measurement.each_number(visit),
+            Err(FitError::NoPoint { velocity, .. }) => visit(Dimension::of("length/time"), velocity),
+            Err(FitError::GrazingOrbit(_) | FitError::NotFinished) => {}
+        }
+    }
 }
 
 /// The result of comparing theorem and curve.

@@ -18,6 +18,7 @@ use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
 use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_results::{Dimension, Dimensioned};
 
 use crate::simulation::{MOST_RETURNS, ReturnOutcome, Suspect};
 use crate::verdict::Coefficient;
@@ -49,6 +50,23 @@ pub enum Simulated {
     Against(Sides),
     /// The simulation is inconclusive.
     Undecided(Inconclusive),
+}
+
+impl Dimensioned for Simulated {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        let mut seen = |velocity: &mut f64| visit(Dimension::of("length/time"), velocity);
+        match self {
+            Self::AsPredicted(sides) | Self::Against(sides) => seen(&mut sides.velocity),
+            Self::Undecided(doubt) => match doubt {
+                Inconclusive::TooSlow { leading, least } => [leading, least].into_iter().for_each(seen),
+                Inconclusive::NoSolution { velocity, .. }
+                | Inconclusive::SlowConvergence { velocity, .. }
+                | Inconclusive::OtherStop { velocity }
+                | Inconclusive::OnlyHere { velocity } => seen(velocity),
+                Inconclusive::NotMeasured => {}
+            },
+        }
+    }
 }
 
 /// The reason why simulation is inconclusive.

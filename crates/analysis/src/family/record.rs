@@ -13,7 +13,6 @@ use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::diagram::CodimensionTwoPoint;
 use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
 use grazing_unfold::resonances;
-use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::coefficients;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::{Deserialize, Serialize};
@@ -121,7 +120,7 @@ impl Record {
         }
         // One wall may be out of reach.
         if let Some(error) = nothing.filter(|_| !grazes) {
-            record.member.missing = tell(description, &error.in_units(&units));
+            record.member.missing = tell(description, &error.with_dimensions(&units));
             return (!stop.is_asked()).then_some(record);
         }
         missing.dedup();
@@ -205,7 +204,7 @@ impl Rows {
         let mut row = self.row(parameters, orbit.phase(), located.resonant_point(), self.varied, found);
         match &resonance.theorem {
             Ok(theorem) => {
-                let known = coefficients(theorem).map(|known| known.in_units(&self.units));
+                let known = coefficients(theorem).map(|known| known.with_dimensions(&self.units));
                 (row.coefficients.c_sn, row.coefficients.c_pd) =
                     (known.saddle_node.theorem.value, known.period_doubling.theorem.value);
                 row.measured = measured(&known);
@@ -214,7 +213,8 @@ impl Rows {
             }
             Err(violated) => {
                 (row.coefficients.c_sn, row.coefficients.c_pd, row.holds) = (f64::NAN, f64::NAN, false);
-                let failing = violated.violated().map(|failing| failing.in_units(&self.units).to_string());
+                let failing =
+                    violated.violated().map(|failing| failing.with_dimensions(&self.units).to_string());
                 row.failing = failing.collect::<Vec<_>>().join("; ");
             }
         }

@@ -6,15 +6,14 @@ use grazing_continuation::fit::{FitError, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
-use grazing_results::brief;
 use grazing_results::plane::{MagnifiedPanel, StraightenedCurves};
+use grazing_results::{Dimensioned, brief};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::{Hypothesis, Theorem};
 use grazing_unfold::Diagram;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::straightened::{StraightCurve, straighten};
-use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
 use grazing_unfold::verification::{Simulated, simulate};
 
@@ -58,9 +57,9 @@ impl AtResonance {
             wall,
             n: *n,
             parameters: units.parameters(located.orbit().oscillator().parameters()),
-            point: located.resonant_point().in_units(units),
+            point: located.resonant_point().with_dimensions(units),
             theorem,
-            hypotheses: hypotheses.iter().map(|hypothesis| hypothesis.in_units(units)).collect(),
+            hypotheses: hypotheses.iter().map(|hypothesis| hypothesis.with_dimensions(units)).collect(),
             curves: None,
         }
     }
@@ -139,8 +138,8 @@ pub(super) fn curves_from(
     let near = near(point);
     let coefficients = coefficients_on(point, &near);
     let finding = |(kind, coefficient): (Bifurcation, &Coefficient)| CurveFinding {
-        coefficient: coefficient.in_units(units),
-        simulated: simulate(point, kind, &coefficients).in_units(units),
+        coefficient: coefficient.with_dimensions(units),
+        simulated: simulate(point, kind, &coefficients).with_dimensions(units),
     };
     let window = window_about(diagram, resonance, point);
     let mut magnified = magnify(diagram, resonance, point, window).unwrap_or_default();
@@ -151,7 +150,7 @@ pub(super) fn curves_from(
     let straightened = straightened(diagram, point, &near, units);
     let doubled_grazing = measured_doubled_grazing(&resonance.located).unwrap_or(f64::NAN)
         * (units.primary / units.secondary / units.secondary);
-    Curves { findings, doubled_grazing, window: window.in_units(units), magnified, straightened }
+    Curves { findings, doubled_grazing, window: window.with_dimensions(units), magnified, straightened }
 }
 
 /// The curves that leave a resonance in straightened coordinates, in the oscillator's own units.
@@ -161,9 +160,9 @@ fn straightened(
     near: &Pair<Result<Straightened, FitError>>,
     units: &Units,
 ) -> Vec<StraightCurve> {
-    let etas = plane::straightened_etas(diagram.scope.window.in_units(units).secondary);
+    let etas = plane::straightened_etas(diagram.scope.window.with_dimensions(units).secondary);
     let etas: Vec<f64> = etas.iter().map(|eta| eta / units.secondary).collect();
-    straighten(diagram, point, near, &etas).iter().map(|curve| curve.in_units(units)).collect()
+    straighten(diagram, point, near, &etas).into_iter().map(|curve| curve.with_dimensions(units)).collect()
 }
 
 /// The curves that leave one resonance of a diagram, in straightened coordinates. The diagram needs no
@@ -174,9 +173,10 @@ pub fn straightened_at(
     (resonance, point): (&Resonance, &ResonantGrazingPoint),
 ) -> StraightenedCurves {
     let near = near(point);
-    let coefficients = coefficients_on(point, &near).map(|known| known.in_units(&axes.units).theorem.value);
+    let coefficients =
+        coefficients_on(point, &near).map(|known| known.with_dimensions(&axes.units).theorem.value);
     let curves = straightened(diagram, point, &near, &axes.units);
-    let frame = diagram.scope.window.in_units(&axes.units).into();
+    let frame = diagram.scope.window.with_dimensions(&axes.units).into();
     let (loops, wall, n) = (resonance.loops, diagram.wall, Some(resonance.n));
     let panel = MagnifiedPanel { panel: 1, frame, loops, wall, n, coefficients };
     plane::straightened([(panel, curves.as_slice())])

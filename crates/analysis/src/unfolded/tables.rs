@@ -6,10 +6,9 @@ use core::f64::consts::TAU;
 use grazing_continuation::bifurcation::Pair;
 use grazing_model::ImpactOscillator;
 use grazing_results::resonance::{Coefficients, Measured, Quantities, slopes};
-use grazing_results::{Stability, row, rows};
+use grazing_results::{Dimensioned, Stability, row, rows};
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{GrazingPoint, ResonantPoint, auxiliary};
-use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Coefficient;
 
 use super::{AtResonance, Curves, Unfolded};
@@ -65,7 +64,7 @@ pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
             wall: unfolded.diagram.wall,
             parameters: units.parameters(state.orbit.oscillator().parameters()),
             phase: state.orbit.phase() - turns,
-            point: state.orbit.grazing_point().in_units(units),
+            point: state.orbit.grazing_point().with_dimensions(units),
             stable: Stability::of(state.multipliers),
             admissible: state.admissible,
         }));

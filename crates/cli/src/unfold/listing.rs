@@ -13,11 +13,11 @@ use grazing_analysis::sequences::walls;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_input::{Axis, Description};
+use grazing_results::Dimensioned;
 use grazing_results::{Stability, brief, span, with_unit};
 use grazing_unfold::Diagram;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::sequences::Sequence;
-use grazing_unfold::units::InUnits;
 
 use super::analysis::Analysis;
 use super::numbers::{range, significant};
@@ -237,7 +237,10 @@ fn own_curves(layout: Layout, description: &Description, unfolded: &Analysis) ->
             None => "nowhere in the ranges".to_owned(),
             Some(extent) => format!("{extent}; {stable}"),
         };
-        (format!("  {}, p = {loops}  ", level.name), format!("{}: {content}", level.property.in_units(units)))
+        (
+            format!("  {}, p = {loops}  ", level.name),
+            format!("{}: {content}", level.property.with_dimensions(units)),
+        )
     });
     let entries: Vec<_> = entries.collect();
     let lost = diagram.levels.lost.iter().map(|lost| {

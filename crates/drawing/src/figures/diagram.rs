@@ -2,8 +2,8 @@
 
 use grazing_continuation::bifurcation::CodimensionTwo;
 use grazing_input::Named;
-use grazing_results::Frame;
 use grazing_results::plane::{PlaneDiagram, RegionKind};
+use grazing_results::{Dimensioned, Frame};
 
 use crate::error::DrawingError;
 use crate::figures::look::Look;
@@ -54,7 +54,9 @@ pub fn draw_diagram(
     if look.style.swap {
         let names = heading.names.clone().swapped();
         let (heading, look) = (Heading { names: &names, ..*heading }, look.clone().unswapped());
-        return draw_diagram(&diagram.clone().swapped(), &heading, look);
+        let mut diagram = diagram.clone();
+        diagram.exchange();
+        return draw_diagram(&diagram, &heading, look);
     }
     let frame = checked(diagram.frame, heading.name)?;
     for magnified in &diagram.magnified {

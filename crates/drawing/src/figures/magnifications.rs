@@ -3,6 +3,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::Named;
+use grazing_results::Dimensioned;
 use grazing_results::columns::{FROM_RESONANCE, SCALED_DISTANCE};
 use grazing_results::plane::{
     CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint,
@@ -43,7 +44,9 @@ pub fn draw_magnifications(
     if look.style.swap {
         let names = heading.names.clone().swapped();
         let (heading, look) = (Heading { names: &names, ..*heading }, look.clone().unswapped());
-        return draw_magnifications(&figure.clone().swapped(), &heading, look);
+        let mut figure = figure.clone();
+        figure.exchange();
+        return draw_magnifications(&figure, &heading, look);
     }
     let [across, up] = &heading.names.titles();
     let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, up, None);

@@ -3,13 +3,18 @@
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::smooth::Units;
 use grazing_results::branches::{PortraitKind, PortraitPoint};
+use grazing_results::columns::{self, C_PD, C_SN};
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate};
 use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::place::PlaceAttractor;
 use grazing_results::plane::{OnCurve, PlanePoint, SequenceResonance, StraightenedPoint};
 use grazing_results::readings::Reading;
-use grazing_results::resonance::Coefficients;
-use grazing_results::{Column, Dimension, Dimensioned, Row, Stability, columns};
+use grazing_results::resonance::{Coefficients, Quantities};
+use grazing_results::{Column, Dimension, Dimensioned, Row, Stability};
+use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
+use grazing_theorems::spectrum::LinearisedMap;
+use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding};
+use nalgebra::{Matrix2, Vector2};
 
 /// Units that are powers of four, as those of oscillators are.
 const UNITS: Units = Units { length: 1024.0, time: 0.0625, primary: 64.0, secondary: 0.25 };
@@ -210,4 +215,50 @@ fn a_dimension_is_the_same_however_its_unit_is_written() {
 #[should_panic(expected = "no unit")]
 fn a_word_that_is_no_unit_is_refused() {
     let _ = Dimension::of("length/tme");
+}
+
+#[test]
+fn a_hypothesis_holds_or_not_in_any_units() {
+    let zero = Condition::Zero { tolerance: 1e-6 };
+    for (value, condition, holds) in [
+        (5e-7, zero, true),
+        (-2e-6, zero, false),
+        (3e-9, Condition::Positive, true),
+        (-3e9, Condition::NonZero, true),
+    ] {
+        let hypothesis = Hypothesis { quantity: Quantity::OffDiagonal, value, condition };
+        for length in [1e-6, 1.0, 1e6] {
+            let own = hypothesis.with_dimensions(&Units { length, ..Units::ONE });
+            assert_eq!((own.holds(), own.value), (holds, value * length), "{hypothesis:?} in {length}");
+        }
+    }
+}
+
+#[test]
+fn what_follows_from_a_resonance_in_other_units_has_the_units_of_its_columns() {
+    let grazing = GrazingPoint {
+        map: LinearisedMap { a: Matrix2::new(0.26, -0.57, 0.48, 0.35), b: Vector2::new(1.6, -0.9) },
+        forcing_frequency: 0.8,
+        gamma: 1.3,
+        phi: 0.9,
+        psi: 0.1,
+    };
+    for loops in [1, 2] {
+        let unfolding = Unfolding { loops, derivative: -4.8 };
+        let point = ResonantPoint { grazing, second_phase_derivative: 0.13, unfolding };
+        let own = point.with_dimensions(&UNITS);
+        assert_eq!(own.without_dimensions(&UNITS), point);
+        // The quantities, and the coefficients, are computed from the point in either units.
+        let numbers =
+            |row: Quantities| row.cells().iter().map(grazing_results::Cell::number).collect::<Vec<_>>();
+        assert_eq!(numbers((&own).into()), numbers(Quantities::from(&point).with_dimensions(&UNITS)));
+        assert_eq!(
+            own.saddle_node_coefficient(),
+            point.saddle_node_coefficient() * C_SN.dimension.size(&UNITS)
+        );
+        assert_eq!(
+            own.period_doubling_coefficient(),
+            point.period_doubling_coefficient() * C_PD.dimension.size(&UNITS)
+        );
+    }
 }

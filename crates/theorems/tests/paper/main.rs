@@ -7,7 +7,6 @@ mod admissibility_boundary;
 mod admissibility_region;
 mod auxiliary;
 mod generic_grazing;
-mod hypothesis;
 mod identities;
 mod iterated;
 mod limit_map;

@@ -12,6 +12,7 @@ use grazing_continuation::tolerances::FAR;
 use grazing_model::motion::Motion;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
+use grazing_results::dimensioned;
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
@@ -43,6 +44,15 @@ pub struct Height {
     pub parameters: [f64; 2],
     /// The acceleration there.
     pub acceleration: f64,
+}
+
+dimensioned! {
+    Height, |own| {
+        own.position => "length",
+        own.parameters[0] => "{primary}",
+        own.parameters[1] => "{secondary}",
+        own.acceleration => "length/time^2",
+    }
 }
 
 impl Height {

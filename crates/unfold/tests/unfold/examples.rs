@@ -5,11 +5,11 @@ use std::fmt::Write;
 
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
+use grazing_results::Dimensioned;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::Resonance;
-use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Verdict, coefficients};
 use grazing_unfold::verification::{Simulated, simulate};
 use insta::{Settings, assert_snapshot};
@@ -75,7 +75,7 @@ fn assert_unfolds(snapshot: &str) {
                 writeln!(text, ", c_SN {sn:.7e}, c_PD {pd:.7e}").unwrap();
             }
             Err(violated) => {
-                for hypothesis in violated.violated().map(|hypothesis| hypothesis.in_units(&units)) {
+                for hypothesis in violated.violated().map(|hypothesis| hypothesis.with_dimensions(&units)) {
                     write!(text, ", {} violated by {:.7e}", hypothesis.statement(), hypothesis.value)
                         .unwrap();
                 }

@@ -5,6 +5,7 @@ use grazing_continuation::mps::unknown;
 use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
+use grazing_results::Dimensioned;
 use grazing_results::plane::RegionKind;
 use grazing_trials::closed_form;
 use grazing_unfold::diagram::DiagramCurve;

@@ -7,6 +7,7 @@ use grazing_model::maps::global_map;
 use grazing_model::motion::Motion;
 use grazing_model::smooth::Stop;
 use grazing_model::{AtRest, ImpactOscillator, State};
+use grazing_results::Dimensioned;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};

@@ -6,6 +6,7 @@ use grazing_continuation::curve::Window;
 use grazing_input::Description;
 use grazing_model::smooth::{Stop, Units};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator};
+use grazing_results::Dimensioned;
 use grazing_theorems::GrazingState;
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::progress::Silent;

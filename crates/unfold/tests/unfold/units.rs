@@ -4,10 +4,10 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_input::Description;
 use grazing_model::smooth::{Stop, Units};
+use grazing_results::Dimensioned;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
 use grazing_unfold::simulation::ReturnOutcome;
-use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Coefficient;
 use grazing_unfold::verification::{Inconclusive, Sides, Simulated};
 use grazing_unfold::{Scope, UnfoldError};
@@ -64,18 +64,26 @@ fn stretched_oscillators_have_the_resonances_of_the_closed_form() {
     assert_closed_form([1e-3, 1e-3], [0.0165, 0.0169], &[2, 3]);
 }
 
-/// Units no two of which, and no two of whose products that stand for a unit, are the same.
-const UNITS: Units = Units { length: 3.0, time: 5.0, primary: 7.0, secondary: 11.0 };
+/// Units that are powers of four, as those of oscillators are, no two of which, and no two of whose products that stand
+/// for a unit, are the same.
+const UNITS: Units = Units { length: 1024.0, time: 0.0625, primary: 64.0, secondary: 0.25 };
 
 #[test]
 fn what_is_reported_of_motion_is_in_the_units_of_the_file() {
     let escape = Escape { parameters: [1.0, 1.0], time: 1.0, position: 1.0, velocity: 1.0, force: 1.0 };
-    let own =
-        Escape { parameters: [7.0, 11.0], time: 5.0, position: 3.0, velocity: 3.0 / 5.0, force: 3.0 / 25.0 };
-    assert_eq!(escape.in_units(&UNITS), own);
+    let Units { length, time, primary, secondary } = UNITS;
+    let own = Escape {
+        parameters: [primary, secondary],
+        time,
+        position: length,
+        velocity: length / time,
+        force: length / (time * time),
+    };
+    assert_eq!(escape.with_dimensions(&UNITS), own);
     let height = Height { position: 1.0, parameters: [1.0, 1.0], acceleration: 1.0 };
-    let in_own = Height { position: 3.0, parameters: [7.0, 11.0], acceleration: 3.0 / 25.0 };
-    assert_eq!(height.in_units(&UNITS), in_own);
+    let in_own =
+        Height { position: length, parameters: [primary, secondary], acceleration: length / (time * time) };
+    assert_eq!(height.with_dimensions(&UNITS), in_own);
     let errors = [
         (UnfoldError::RunsAway { escape }, UnfoldError::RunsAway { escape: own }),
         (UnfoldError::Pushed { at: height }, UnfoldError::Pushed { at: in_own }),
@@ -85,25 +93,26 @@ fn what_is_reported_of_motion_is_in_the_units_of_the_file() {
         ),
     ];
     for (error, own) in errors {
-        assert_eq!(error.in_units(&UNITS).to_string(), own.to_string());
+        assert_eq!(error.with_dimensions(&UNITS).to_string(), own.to_string());
     }
 }
 
 #[test]
 fn coefficients_and_simulations_are_in_the_units_of_the_file() {
     let estimate = |unit: f64| Estimate { value: 2.0 * unit, error: 0.5 * unit };
-    let velocity = 3.0 / 5.0;
+    let Units { length, time, primary, secondary } = UNITS;
+    let velocity = length / time;
     let coefficient = |unit: f64, [e1, e2]: [f64; 2], [m2, m3]: [f64; 2], velocity: f64| Coefficient {
         stability: 1.0,
         theorem: estimate(unit),
         fit: Ok(Measurement { coefficient: estimate(unit), eta: [e1, e2], mu: [m2, m3], velocity }),
     };
-    let found = coefficient(1.0, [1.0, 1.0], [1.0, 1.0], 1.0).in_units(&UNITS);
+    let found = coefficient(1.0, [1.0, 1.0], [1.0, 1.0], 1.0).with_dimensions(&UNITS);
     // The coefficient of μ/η², and those of η = e₁ y + e₂ y², μ = m₂ y² + m₃ y³.
     let wanted = coefficient(
-        7.0 / 121.0,
-        [11.0 / velocity, 11.0 / velocity / velocity],
-        [7.0 / (velocity * velocity), 7.0 / (velocity * velocity) / velocity],
+        primary / (secondary * secondary),
+        [secondary / velocity, secondary / velocity / velocity],
+        [primary / (velocity * velocity), primary / (velocity * velocity) / velocity],
         velocity,
     );
     assert_eq!(found, wanted);
@@ -124,6 +133,6 @@ fn coefficients_and_simulations_are_in_the_units_of_the_file() {
         (Simulated::Undecided(here(1.0)), Simulated::Undecided(here(velocity))),
         (Simulated::Undecided(convergence(1.0)), Simulated::Undecided(convergence(velocity))),
     ] {
-        assert_eq!(one.in_units(&UNITS), own);
+        assert_eq!(one.with_dimensions(&UNITS), own);
     }
 }

@@ -1,6 +1,6 @@
 //! Better ranges for a diagram that fills little of its own.
 
-use grazing_unfold::units::InUnits;
+use grazing_results::Dimensioned;
 
 use crate::layout::{KEPT, Layout};
 use crate::unfold::analysis::Analysis;
@@ -10,7 +10,8 @@ use grazing_results::brief;
 pub(super) fn suggested(layout: Layout, unfolded: &Analysis) -> String {
     let Some(suggested) = unfolded.diagram.suggested_window() else { return String::new() };
     let units = &unfolded.axes.units;
-    let (now, then) = (unfolded.diagram.scope.window.in_units(units), suggested.in_units(units));
+    let (now, then) =
+        (unfolded.diagram.scope.window.with_dimensions(units), suggested.with_dimensions(units));
     let setting = |key: &str, now: [f64; 2], then: [f64; 2]| {
         let [low, high] = rounded(now, then).map(|value| brief(value, 12));
         format!("--set{KEPT}{key}.range=[{low},{high}]")
