@@ -388,9 +388,12 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             Ok(located) => located,
             Err(end) => return ControlFlow::Break(end),
         };
-        // Events beyond the edge are not on the curve, which ends there.
-        let inside = |event: &Event| self.route.window.contains(event.solution.parameters());
-        for event in located.into_iter().filter(inside) {
+        // Events beyond the edge are not on the curve, which ends there, unless a branch comes back on the same step:
+        // then it has turned round.
+        let contains = |point: &Unknowns| self.route.window.contains(parameters(point));
+        let turns = self.followed.is_branch() && contains(&step.after.point);
+        let on_curve = |event: &Event| turns || contains(&event.solution.unknowns);
+        for event in located.into_iter().filter(on_curve) {
             self.curve.events.push(event.clone());
             // Beyond it the product of real multipliers is 1, which is no bifurcation.
             let ends =

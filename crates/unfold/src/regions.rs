@@ -423,6 +423,35 @@ mod tests {
     }
 
     #[test]
+    fn a_slice_beside_the_highest_point_of_a_curve_agrees_with_chords_that_it_hardly_meets() {
+        // Chords with a vertex where the slice crosses the curve first; it crosses it again beyond.
+        let [first, again] = [0.5, 0.502];
+        let top = [[0.51, 0.4], [first, 0.6], [0.49, 0.4]];
+        let face: Face = vec![[vec![[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]], top.to_vec()].concat()];
+        let judged = |left: f64, right: f64| {
+            let slices = vec![slice(0.6, &[[0.0, left], [right, 1.0]], &[]), slice(0.8, &[[0.0, 1.0]], &[])];
+            Judge { window: UNIT, slices, witnesses: Vec::new() }.judge(face.clone()).verdict
+        };
+        // The chords, drawn to 1e-5, allow for a thousandth and more only beside their vertex.
+        assert_eq!(judged(first, again), Err(Doubt::Disagreement));
+        let flat: Face = vec![
+            [
+                vec![[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]],
+                vec![[0.6, 0.599], [first, 0.6], [0.4, 0.4]],
+            ]
+            .concat(),
+        ];
+        let judge = |good: &[[f64; 2]]| {
+            let slices = vec![slice(0.6, good, &[]), slice(0.8, &[[0.0, 1.0]], &[])];
+            Judge { window: UNIT, slices, witnesses: Vec::new() }.judge(flat.clone()).verdict
+        };
+        // Its chord falls by 1e-5 over 1e-3: what the slice sees there may be below the curve.
+        assert_eq!(judge(&[[0.0, first], [first + 1.05e-3, 1.0]]), Ok(true));
+        assert_eq!(judge(&[[0.0, first], [first + 0.02, 1.0]]), Err(Doubt::Disagreement));
+        assert_eq!(judge(&[[0.0, 0.7], [0.702, 1.0]]), Err(Doubt::Disagreement));
+    }
+
+    #[test]
     fn every_slice_of_a_face_counts() {
         let all: &[[f64; 2]] = &[[0.0, 1.0]];
         let face: Face = vec![vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];

@@ -175,7 +175,29 @@ impl Slicer {
 
     /// Whether a solution lies on one of the branches of a slice.
     fn knows(&self, slice: &Slice, at: &Unknowns) -> bool {
-        slice.branches.iter().any(|branch| self.passes(branch, at))
+        self.pass(&slice.branches, at)
+    }
+
+    /// Whether a solution lies on one of some branches, itself or half its time later.
+    pub(crate) fn pass<'a>(
+        &self,
+        branches: impl IntoIterator<Item = &'a Curve, IntoIter: Clone>,
+        at: &Unknowns,
+    ) -> bool {
+        let branches = branches.into_iter();
+        let passes = |at: &Unknowns| branches.clone().any(|branch| self.passes(branch, at));
+        passes(at) || self.half_its_time_later(at).is_some_and(|later| passes(&later))
+    }
+
+    /// Motion without impacts that recurs after several forcing periods, half of them later: another point of the
+    /// plane of constant phase, through which the branch leads as well. Impacts are compared with all of a solution's.
+    pub(crate) fn half_its_time_later(&self, at: &Unknowns) -> Option<Unknowns> {
+        let halved = self.halved.as_ref().filter(|_| !self.equations.has_impacts())?;
+        let oscillator = halved.oscillator_at(at);
+        let there = oscillator.motion(halved.departure(at)).at(oscillator.forcing_period());
+        let mut later = at.clone();
+        (later[0], later[1]) = (there.position, there.velocity);
+        Some(later)
     }
 
     /// The branches of a slice without those that are part of another one, beyond whose end they
@@ -303,8 +325,7 @@ impl Slicer {
         for Crossing { place: near, mut times, .. } in
             sources.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary))
         {
-            let is_known =
-                |at: &Unknowns| known.iter().chain(&branches).any(|branch| self.passes(branch, at));
+            let is_known = |at: &Unknowns| self.pass(known.iter().chain(&branches), at);
             if is_known(&near) || known.len() + branches.len() >= MOST_BRANCHES {
                 continue;
             }

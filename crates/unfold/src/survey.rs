@@ -370,6 +370,59 @@ mod tests {
         (survey.lines().len(), survey.stabilities())
     }
 
+    /// What is found in a survey of motion over two forcing periods from slices at some levels, at the first of which
+    /// motion over one period is known.
+    fn over_two_periods<T>(
+        oscillator: &AnyOscillator,
+        scope: &Scope,
+        levels: &[f64],
+        found: impl FnOnce(&Survey<'_>) -> T,
+    ) -> T {
+        let free = |oscillator: AnyOscillator| {
+            Net::new(LoopEquations::without_impacts(oscillator, scope.window.widths()))
+        };
+        let mut once = free(oscillator.clone());
+        let mut survey = Survey::new(&mut once, scope, &[], Vec::new());
+        survey.add_slice(Slice::new(levels[0], periodic_motion(oscillator, scope, levels[0]).branches));
+        while survey.goes_on(&Silent) {}
+        let mut twice = free(over_periods(oscillator, 2));
+        let mut survey = Survey::of_doubled(&mut twice, scope, 2, &once);
+        survey.look_at(levels);
+        while survey.goes_on(&Silent) {}
+        found(&survey)
+    }
+
+    #[test]
+    fn motion_over_two_periods_is_followed_from_one_of_them_and_not_from_the_other_as_well() {
+        // A well beside the wall's, over whose hill motion goes: doublings, and folds of doubled motion.
+        let text = grazing_trials::oscillators::description(20_261_130, 2);
+        let model = Description::parse(&text, "two wells").expect("what is made at random is right");
+        let window = Window { primary: [0.0, 0.659], secondary: [0.3955, 1.0825] };
+        let scope = Scope { window, loops: vec![2], start: None };
+        let oscillator = model.oscillator([0.1, 0.4]);
+        over_two_periods(&oscillator, &scope, &[0.4, 0.43], |survey| {
+            let passes = |branch: &Curve, at: &Unknowns| survey.slicer.passes(branch, at);
+            for slice in &survey.slices {
+                for (index, branch) in slice.branches.iter().enumerate() {
+                    let middle = &branch.points[branch.points.len() / 2].solution.unknowns;
+                    let later = survey.slicer.half_its_time_later(middle).expect("it has two halves");
+                    let others = slice.branches.iter().enumerate().filter(|(other, _)| *other != index);
+                    assert!(!others.into_iter().any(|(_, other)| passes(other, &later)), "{later:?}");
+                }
+                assert!(slice.branches.len() > 3, "{}", slice.branches.len());
+            }
+            let curves = &survey.net.curves;
+            for DiagramCurve { kind, curve, .. } in curves {
+                let CurvePoint { solution, times } = &curve.points[curve.points.len() / 2];
+                let later = survey.slicer.half_its_time_later(&solution.unknowns).expect("it has two halves");
+                let solution = survey.net.equations.solution(&later);
+                let event = Event { condition: curve.condition, solution, index: 0, times: times.clone() };
+                assert!(explained(survey.net, *kind, &event, window), "{kind:?} {later:?}");
+            }
+            assert!(curves.len() > 3, "{}", curves.len());
+        });
+    }
+
     #[test]
     fn a_curve_of_free_motion_that_stays_behind_the_wall_is_given_up() {
         let point = |height: f64| {
@@ -411,21 +464,11 @@ mod tests {
         // An attraction that gives way to repulsion on the way to the wall.
         let force = "-0.06*v - (x + 1) + 1.2*(exp(4*x + 1) - exp(8*x + 2))";
         let oscillator = crate::specimens::forced(force, 0.7).oscillator([1.0, 0.4]);
-        let free = |oscillator: &AnyOscillator| {
-            Net::new(LoopEquations::without_impacts(oscillator.clone(), window.widths()))
-        };
-        let mut once = free(&oscillator);
-        let mut survey = Survey::new(&mut once, &scope, &[], Vec::new());
-        let motion = periodic_motion(&oscillator, &scope, 0.418);
-        survey.add_slice(Slice::new(0.418, motion.branches));
-        while survey.goes_on(&Silent) {}
-        let mut twice = free(&over_periods(&oscillator, 2));
-        let mut survey = Survey::of_doubled(&mut twice, &scope, 2, &once);
-        survey.look_at(&[0.418]);
-        while survey.goes_on(&Silent) {}
-        let grazing = survey.grazing;
-        // Half a turn on the same curve is met again.
-        assert_eq!(grazing.len(), 1);
+        let grazing = over_two_periods(&oscillator, &scope, &[0.418], |survey| {
+            // Half a turn on the same curve is met again.
+            assert_eq!(survey.grazing.len(), 1);
+            survey.grazing.clone()
+        });
         let seen = |grazing: &[GrazingCurve]| {
             let mut net = Net::new(LoopEquations::new(oscillator.clone(), 2, Formulation::FixedPhase));
             let mut survey = Survey::new(&mut net, &scope, grazing, Vec::new());

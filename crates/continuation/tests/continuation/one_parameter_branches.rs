@@ -220,3 +220,33 @@ fn what_happens_beyond_the_edge_of_the_window_is_not_on_the_branch() {
         assert_eq!(last, edge);
     }
 }
+
+#[test]
+fn a_branch_that_turns_beyond_the_edge_within_a_step_has_its_fold() {
+    let mut turned = 0;
+    for (loops, frequency) in [(1, 0.5), (2, 0.5), (2, 0.67), (3, 0.605), (4, 0.665)] {
+        let follow = |[left, right]: [f64; 2]| {
+            let window = route([left, right], [0.1, 2.0], false);
+            branch([ZETA, EPSILON, frequency], loops, Formulation::FixedPhase, 1.0, &window).1
+        };
+        let whole = follow([0.0, 1.8]);
+        let folds = whole.events.iter().filter(|event| event.condition == Condition::SADDLE_NODE);
+        for Event { solution, index, .. } in folds {
+            let [fold, _] = solution.parameters();
+            let [before, after] = [index - 1, *index].map(|at| whole.points[at].solution.parameters()[0]);
+            // Only the fold lies beyond the edge, not the points beside it.
+            let nearer = if before < fold { before.max(after) } else { before.min(after) };
+            let edge = fold + 0.01 * (nearer - fold);
+            let cut = follow(if before < fold { [0.0, edge] } else { [edge, 1.8] });
+            let found = cut.events.iter().filter(|event| event.condition == Condition::SADDLE_NODE);
+            let found = found.filter(|event| (event.solution.parameters()[0] - fold).abs() < 1e-9);
+            assert_eq!(
+                (found.count(), cut.points.len()),
+                (1, whole.points.len()),
+                "{loops} {frequency}: {edge}"
+            );
+            turned += 1;
+        }
+    }
+    assert!(turned >= 3, "{turned}");
+}

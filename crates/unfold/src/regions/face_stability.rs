@@ -18,6 +18,9 @@ const THIN: f64 = 5e-4;
 const PURE: f64 = 0.1;
 /// Largest fraction of the window that may differ from the rest of a chord, however long.
 const STRETCH: f64 = 1e-3;
+/// The accuracy of drawn curves in η, as a fraction of its range: a slice that meets a curve beside its highest point
+/// crosses it twice, and its chords once or not at all.
+const BESIDE: f64 = 1e-5;
 
 /// A face and its verdict.
 pub(super) struct FaceVerdict {
@@ -55,8 +58,7 @@ impl Judge {
                 let within = |primary: f64| chord[0] < primary && primary < chord[1];
                 let known = slice.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
                 let known = known.or(slice.everywhere.as_ref());
-                let lesser = share.min(1.0 - share);
-                let mixed = lesser > PURE && length > SHORT || lesser * length > STRETCH;
+                let mixed = self.is_mixed(slice, chord) && self.stays_mixed(slice, &face, chord);
                 // Where there are good solutions along the whole chord, doubts about others do not
                 // matter.
                 let known = known.filter(|_| share < 1.0 - PURE);
@@ -97,6 +99,23 @@ impl Judge {
             None => Ok(majority),
         };
         FaceVerdict { face, verdict, trouble }
+    }
+
+    /// Whether there are good solutions along a part of a chord, and none along another.
+    fn is_mixed(&self, slice: &SliceStability, chord: [f64; 2]) -> bool {
+        let (length, share) = (self.length(chord), slice.share(chord));
+        let lesser = share.min(1.0 - share);
+        lesser > PURE && length > SHORT || lesser * length > STRETCH
+    }
+
+    /// Whether that is so for the chords of a face beside a slice as well, to both sides.
+    fn stays_mixed(&self, slice: &SliceStability, face: &Face, [from, to]: [f64; 2]) -> bool {
+        let height = self.window.widths()[1];
+        [-BESIDE, BESIDE].into_iter().all(|aside| {
+            let beside = chords(face, slice.secondary + aside * height).into_iter();
+            let mut beside = beside.filter(|[begin, end]| *begin < to && from < *end).peekable();
+            beside.peek().is_none() || beside.any(|chord| self.is_mixed(slice, chord))
+        })
     }
 
     /// The values of η of the witnesses that lie clearly inside a face.

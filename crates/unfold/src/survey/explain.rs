@@ -17,6 +17,9 @@ use crate::tolerances::BETWEEN_BIFURCATIONS;
 const SLIVER: f64 = 1e-4;
 /// A bifurcation this close to a chord between two points of a curve may belong to the curve.
 const NEAR_CURVE: f64 = 0.05;
+/// One this close in the plane, as a fraction of the range, may be that of a copy of the solutions on the curve: chords of
+/// drawn curves deviate from them by less.
+const AT_ONE_PLACE: f64 = 1e-3;
 
 /// Whether the good solutions beside a border have an extent that can be drawn, or grazing bounds
 /// them.
@@ -35,13 +38,16 @@ pub(super) fn bounding(net: &Net, branch: &Curve, window: Window, doubled: bool)
     bounds.chain(branch.events.iter().filter(grazing)).cloned().collect()
 }
 
-/// Whether a bifurcation on a slice or a column lies on a known curve.
+/// Whether a bifurcation on a slice or a column lies on a known curve, or is that of a copy of the solutions along it
+/// at the same place of the plane: their mirror image, the same motion some forcing periods later, or with another of
+/// its impacts first.
 pub(super) fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Window) -> bool {
     let here = event.solution.unknowns.clone();
     let secondary = here[unknown::SECONDARY];
+    let aside = |point: &Unknowns| (point[unknown::PRIMARY] - here[unknown::PRIMARY]) / window.widths()[0];
     let distance = |point: &Unknowns| {
         let mut gap = net.equations.gap(&here, point);
-        gap[unknown::PRIMARY] = (point[unknown::PRIMARY] - here[unknown::PRIMARY]) / window.widths()[0];
+        gap[unknown::PRIMARY] = aside(point);
         gap[unknown::SECONDARY] = 0.0;
         gap.norm()
     };
@@ -55,13 +61,15 @@ pub(super) fn explained(net: &Net, kind: Bifurcation, event: &Event, window: Win
             let way = if from == to { 0.0 } else { from / (from - to) };
             let mut near = &a + (b - &a) * way;
             near[unknown::SECONDARY] = secondary;
-            if distance(&near) > NEAR_CURVE {
+            let is_copy = distance(&near) > NEAR_CURVE;
+            if is_copy && aside(&near).abs() > AT_ONE_PLACE {
                 return false;
             }
             let mut times = pair[0].times.clone();
             let conditions = [event.condition, Condition::Secondary(secondary)];
             let found = locate(&net.equations, conditions, near.clone(), &mut times);
-            found.is_ok_and(|found| distance(&found) < BETWEEN_BIFURCATIONS)
+            let apart = |found: &Unknowns| if is_copy { aside(found).abs() } else { distance(found) };
+            found.is_ok_and(|found| apart(&found) < BETWEEN_BIFURCATIONS)
                 || distance(&near) < BETWEEN_BIFURCATIONS
         })
     })
