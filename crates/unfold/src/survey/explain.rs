@@ -28,14 +28,15 @@ pub(super) fn is_wide(border: &Border<'_>, window: Window) -> bool {
     border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
 }
 
-/// The bifurcations on a branch that bound good solutions; and all grazing of doubled motion without
+/// The bifurcations on a branch that bound good solutions in the window; and all grazing of doubled motion without
 /// impacts, at which branches begin.
 pub(super) fn bounding(net: &Net, branch: &Curve, window: Window, doubled: bool) -> Vec<Event> {
     let (_, borders) = segments(&net.equations, branch);
     let wide = borders.into_iter().filter(|border| is_wide(border, window));
     let grazing = |event: &&Event| doubled && event.condition == Condition::InteriorGrazing;
     let bounds = wide.filter_map(|border| border.event);
-    bounds.chain(branch.events.iter().filter(grazing)).cloned().collect()
+    let inside = |event: &&Event| window.contains(event.solution.parameters());
+    bounds.chain(branch.events.iter().filter(grazing)).filter(inside).cloned().collect()
 }
 
 /// Whether a bifurcation on a slice or a column lies on a known curve, or is that of a copy of the solutions along it
