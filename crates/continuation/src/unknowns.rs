@@ -1,6 +1,6 @@
 //! The unknowns of periodic solutions with any number of impacts.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use core::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, Neg, Sub, SubAssign};
 
 use grazing_model::OnWall;
@@ -12,8 +12,15 @@ use crate::newton::Space;
 /// The unknowns: (y, z, μ, η), impact velocity, impact phase, primary and secondary parameter, and
 /// with more than one impact (y, z, μ, η, y₂, z₂, y₃, …), in the order of time and phases not
 /// reduced; without impacts (x, y, μ, η), position and velocity at phase zero.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Unknowns(SmallVec<[f64; 4]>);
+
+impl Clone for Unknowns {
+    /// As one block: `SmallVec` clones one by one.
+    fn clone(&self) -> Self {
+        Self(SmallVec::from_slice(&self.0))
+    }
+}
 
 /// Indices of the unknowns.
 pub mod unknown {
@@ -187,6 +194,10 @@ impl Unknowns {
     /// The difference with its phases less the whole turns by which the first of them differs.
     pub(crate) fn less_turns(mut self) -> Self {
         let gap = self[unknown::PHASE];
+        // Most gaps are small, and the remainder takes long.
+        if gap.abs() <= PI {
+            return self;
+        }
         self[unknown::PHASE] = libm::remainder(gap, TAU);
         let turns = gap - self[unknown::PHASE];
         (1..self.impacts()).for_each(|impact| self[unknown::phase(impact)] -= turns);

@@ -116,6 +116,9 @@ const LARGE: f64 = 16.0;
 const ON_BRANCH: f64 = 0.05;
 const ON_FREE_BRANCH: f64 = 0.15;
 
+/// Columns are at the same μ if they are this close, as a fraction of its range.
+const ROUNDED: f64 = 1e-9;
+
 /// A solution that Newton's method finds farther than this from the carried one is another one
 /// (empirical; wherever the wall's distance from rest is of order one).
 pub(crate) const CARRIED_OFF: f64 = 0.5;
@@ -322,11 +325,16 @@ impl Slicer {
     pub(crate) fn across(&self, slices: &[Slice], primary: f64, known: &[Curve]) -> Vec<Curve> {
         let mut branches: Vec<Curve> = Vec::new();
         let sources = slices.iter().flat_map(|slice| &slice.branches);
+        let count = known.len();
+        let apart = ROUNDED * self.window.widths()[0];
+        let here = |at: f64| (at - primary).abs() <= apart;
+        let is_here = |column: &&Curve| matches!(column.condition, Condition::Primary(at) if here(at));
+        let known: Vec<&Curve> = known.iter().filter(is_here).collect();
         for Crossing { place: near, mut times, .. } in
             sources.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary))
         {
-            let is_known = |at: &Unknowns| self.pass(known.iter().chain(&branches), at);
-            if is_known(&near) || known.len() + branches.len() >= MOST_BRANCHES {
+            let is_known = |at: &Unknowns| self.pass(known.iter().copied().chain(&branches), at);
+            if is_known(&near) || count + branches.len() >= MOST_BRANCHES {
                 continue;
             }
             let conditions = [Condition::Primary(primary), Condition::Secondary(near[unknown::SECONDARY])];
