@@ -3,7 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use grazing_model::AnyOscillator;
-use grazing_model::smooth::{Dimensionless, Exact, Scalar, SmoothOscillator, Stop, Stoppable, Units};
+use grazing_model::smooth::{
+    Dimensionless, Exact, Partials, Scalar, SmoothOscillator, Stop, Stoppable, Units,
+};
 
 use crate::error::KeyPlace;
 use crate::expression::Expression;
@@ -314,6 +316,15 @@ impl SmoothOscillator for Description {
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let mut force = self.seen().formulas.force.hold(&[t, mu, eta]);
         move |x, y| force(&[&x, &y])
+    }
+
+    fn slopes_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> Option<impl FnMut(S, S, bool) -> [S; 3]> {
+        let mut force = self.seen().formulas.force.hold_slopes(&[t, mu, eta])?;
+        Some(move |x, y, slopes| force(&[&x, &y], slopes))
+    }
+
+    fn partials<S: Scalar>(&self, arguments: &[S; 5], second: bool, partials: &mut Partials<S>) -> bool {
+        self.seen().formulas.force.partials(arguments, second, partials)
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {

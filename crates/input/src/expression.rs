@@ -28,6 +28,7 @@ mod function;
 mod graph;
 mod linearity;
 mod parse;
+mod partials;
 #[cfg(test)]
 mod tests;
 
@@ -58,9 +59,9 @@ pub struct ExpressionError {
 
 /// An expression in variables that are known by name and number.
 ///
-/// A clone shares everything with the original.
+/// A clone shares everything with the original. A force has formulas for its derivatives beside its own.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Expression(Arc<Tape>);
+pub struct Expression(Arc<Tape>, Option<Arc<partials::Formulas>>);
 
 #[derive(Debug, Default, PartialEq)]
 struct Tape {
@@ -83,8 +84,8 @@ struct Code {
     instructions: Vec<Instruction>,
     /// The terms of all sums.
     terms: Vec<(f64, Slot)>,
-    /// The slot of the result.
-    result: Slot,
+    /// The slots of the results.
+    results: Vec<Slot>,
 }
 
 /// The slot of a value in the list: those of the variables come first, then one for each
@@ -231,7 +232,7 @@ impl Expression {
         let variables = &variables[..names.len()];
         with_space(whole.instructions.len(), |list| {
             whole.run(0..whole.instructions.len(), variables, variables.len(), (list, 0));
-            *value(whole.result, variables, variables.len(), list)
+            *value(whole.results[0], variables, variables.len(), list)
         })
     }
 
@@ -245,20 +246,37 @@ impl Expression {
         others: &[T],
     ) -> impl FnMut(&[&S]) -> S + use<'a, T, S> {
         let tape = &*self.0;
-        let others = &others[..tape.variables.len() - tape.moving];
-        let before = tape.needed.len();
-        // One list for all values of the variables that move.
-        let mut list: Vec<S> = with_space(others.len() + tape.held, |held| {
-            held[..others.len()].copy_from_slice(others);
-            tape.whole.run::<T, T>(0..tape.held, &[], tape.moving, (held, others.len()));
-            let needed = tape.needed.iter().map(|slot| S::from(held[slot - tape.moving]));
-            needed.chain(iter::repeat_n(S::constant(0.0), tape.rest.instructions.len())).collect()
-        });
+        let mut list: Vec<S> = tape.held(others);
         move |moving| {
-            let moving = &moving[..tape.moving];
-            tape.rest.run(0..tape.rest.instructions.len(), moving, moving.len(), (&mut list, before));
-            *value(tape.rest.result, moving, moving.len(), &list)
+            tape.run_rest(tape.rest.instructions.len(), moving, &mut list);
+            *tape.rest_result(0, moving, &list)
         }
+    }
+}
+
+impl Tape {
+    /// One list for all values of the variables that move: what the instructions that move need, then space
+    /// for their results.
+    fn held<T: Scalar, S: Scalar + From<T>>(&self, others: &[T]) -> Vec<S> {
+        let others = &others[..self.variables.len() - self.moving];
+        with_space(others.len() + self.held, |held| {
+            held[..others.len()].copy_from_slice(others);
+            self.whole.run::<T, T>(0..self.held, &[], self.moving, (held, others.len()));
+            let needed = self.needed.iter().map(|slot| S::from(held[slot - self.moving]));
+            needed.chain(iter::repeat_n(S::constant(0.0), self.rest.instructions.len())).collect()
+        })
+    }
+
+    /// Runs the first of the instructions that move.
+    #[inline(always)]
+    fn run_rest<S: Scalar>(&self, count: usize, moving: &[&S], list: &mut [S]) {
+        self.rest.run(0..count, &moving[..self.moving], self.moving, (list, self.needed.len()));
+    }
+
+    /// A result of these.
+    #[inline(always)]
+    fn rest_result<'v, S: Scalar>(&self, index: usize, moving: &'v [&S], list: &'v [S]) -> &'v S {
+        value(self.rest.results[index], moving, self.moving, list)
     }
 }
 

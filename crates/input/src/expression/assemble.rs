@@ -1,9 +1,7 @@
 //! From the parts of an expression to the instructions on its tape.
 
-use std::sync::Arc;
-
 use super::graph::Node;
-use super::{Code, Expression, Instruction, Operation, Slot, Tape};
+use super::{Code, Instruction, Operation, Slot, Tape};
 
 /// The computation for one node, from other nodes by number, or from slots.
 enum Plan {
@@ -23,10 +21,10 @@ impl Plan {
     }
 }
 
-/// The expression of a list of nodes, each of which comes after its operands; the last one is the
-/// whole.
-pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) -> Expression {
-    let plans = plans(nodes);
+/// The tape of a list of nodes, each of which comes after its operands; the results are those of some.
+pub(super) fn tape(variables: &[&str], moving: usize, nodes: &[Node], results: &[usize]) -> Tape {
+    let variables: Vec<String> = variables.iter().map(|&name| name.to_owned()).collect();
+    let plans = plans(nodes, results);
     let mut moves = vec![false; nodes.len()];
     for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
         moves[index] = match node {
@@ -49,8 +47,8 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) 
             held = whole.instructions.len();
         }
     }
-    whole.result = *slots.last().expect("an expression has at least one part");
-    Expression(Arc::new(Tape::new(variables, moving, whole, held)))
+    whole.results = results.iter().map(|&result| slots[result]).collect();
+    Tape::new(variables, moving, whole, held)
 }
 
 impl Tape {
@@ -59,7 +57,7 @@ impl Tape {
         let plans: Vec<Plan> = whole.instructions[held..].iter().map(|made| whole.plan(made)).collect();
         let results = variables.len() + held;
         let mut needed: Vec<Slot> = plans.iter().flat_map(Plan::operands).collect();
-        needed.push(whole.result);
+        needed.extend(&whole.results);
         needed.retain(|slot| (moving..results).contains(slot));
         needed.sort_unstable();
         needed.dedup();
@@ -68,7 +66,8 @@ impl Tape {
             Err(_) if slot < moving => slot,
             Err(_) => slot - results + moving + needed.len(),
         };
-        let mut rest = Code { result: place(whole.result), ..Code::default() };
+        let results = whole.results.iter().map(|&slot| place(slot)).collect();
+        let mut rest = Code { results, ..Code::default() };
         for plan in &plans {
             rest.add(plan, place);
         }
@@ -100,9 +99,10 @@ impl Code {
     }
 }
 
-/// The computation for each node; a sum includes all its parts that are not needed elsewhere.
-fn plans(nodes: &[Node]) -> Vec<Plan> {
+/// The computation for each node; a sum includes all its parts that are not needed elsewhere, or results.
+fn plans(nodes: &[Node], results: &[usize]) -> Vec<Plan> {
     let mut uses = vec![0_u32; nodes.len()];
+    results.iter().for_each(|&result| uses[result] += 1);
     for node in nodes {
         if let Node::Operation(operation) = node {
             operation.operands().into_iter().for_each(|operand| uses[operand] += 1);

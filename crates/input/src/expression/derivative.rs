@@ -22,18 +22,25 @@ impl Graph {
     ) -> Result<Term<'g>, ErrorKind> {
         let Term::Node(_, root) = of else { return Ok(ZERO) };
         // Operands come before the nodes that use them.
+        let mut parts = vec![false; root + 1];
+        parts[root] = true;
+        for index in (0..=root).rev() {
+            if let (true, Node::Operation(operation)) = (parts[index], self.node(index)) {
+                operation.operands().into_iter().for_each(|operand| parts[operand] = true);
+            }
+        }
         let mut slopes: Vec<Term<'g>> = Vec::with_capacity(root + 1);
-        for index in 0..=root {
+        for (index, part) in parts.into_iter().enumerate() {
             if stop.is_asked() {
                 return Err(ErrorKind::TooLong);
             }
             let slope = match self.node(index) {
                 Node::Variable(number) if number == variable => ONE,
-                Node::Variable(_) => ZERO,
-                Node::Operation(operation) => {
+                Node::Operation(operation) if part => {
                     let whole = Term::Node(self, index);
                     self.slope(operation, whole, |operand| slopes[operand])?
                 }
+                _ => ZERO,
             };
             slopes.push(slope);
         }

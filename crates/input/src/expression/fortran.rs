@@ -30,7 +30,7 @@ impl Expression {
              DOUBLE PRECISION :: b({})\n{}    {name} = {}\n  END FUNCTION {name}\n",
             code.instructions.len().max(1),
             statements.collect::<String>(),
-            value(code.result),
+            value(code.results[0]),
         )
     }
 }

@@ -72,14 +72,19 @@ impl Graph {
         }
     }
 
-    /// The parts on which `root` depends, each once, operands first and the left one before the
-    /// right one.
-    pub(super) fn parts(&self, root: usize) -> Vec<Node> {
+    /// The parts on which these terms depend, each once, operands first and the left one before the
+    /// right one; and the place of each term among them. A number is a part.
+    pub(super) fn parts(&self, terms: &[Term<'_>]) -> (Vec<Node>, Vec<usize>) {
+        let root = |term: &Term<'_>| match term {
+            Term::Number(value) => self.constant(*value),
+            Term::Node(_, index) => *index,
+        };
+        let roots: Vec<usize> = terms.iter().map(root).collect();
         let nodes = self.nodes.borrow();
         let mut numbers = vec![None; nodes.len()];
         let mut parts: Vec<Node> = Vec::new();
         // An explicit stack: sums of thousands of terms are deep to the left.
-        let mut waiting = vec![(root, false)];
+        let mut waiting: Vec<(usize, bool)> = roots.iter().rev().map(|&root| (root, false)).collect();
         while let Some((index, ready)) = waiting.pop() {
             if numbers[index].is_some() {
                 continue;
@@ -98,7 +103,9 @@ impl Graph {
                 waiting.extend(operation.operands().into_iter().rev().map(|operand| (operand, false)));
             }
         }
-        parts
+        let places = roots.iter().map(|&root| numbers[root].expect("it has been reached"));
+        let places = places.collect();
+        (parts, places)
     }
 }
 
@@ -270,12 +277,4 @@ impl Number for Term<'_> {
 fn is_power_of_two(value: f64) -> bool {
     let (fraction, _) = libm::frexp(value);
     fraction.abs() == 0.5 && (1.0 / value).is_finite()
-}
-
-/// The parts of a term; a number is one part.
-pub(super) fn parts(term: Term<'_>) -> Vec<Node> {
-    match term {
-        Term::Number(value) => vec![Node::Operation(Operation::Constant(value))],
-        Term::Node(graph, root) => graph.parts(root),
-    }
 }

@@ -119,6 +119,6 @@ impl Expression {
                 },
             });
         }
-        known[code.result]
+        known[code.results[0]]
     }
 }

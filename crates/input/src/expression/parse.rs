@@ -3,11 +3,13 @@
 use std::cell::RefCell;
 use std::f64::consts;
 use std::ops::Range;
+use std::sync::Arc;
 
 use grazing_model::smooth::Stop;
 use nanoexpr::{Context, ErrorKind, Evaluator, Number};
 
-use super::graph::{Graph, Term, parts};
+use super::graph::{Graph, Term};
+use super::partials::Formulas;
 use super::{Expression, ExpressionError, assemble, function};
 use crate::document::{nearest, shortened, suggestion};
 
@@ -195,7 +197,7 @@ pub(crate) fn expression(
 ) -> Result<(Expression, Vec<usize>), ExpressionError> {
     let graph = Graph::default();
     let (term, uses) = term(text, &numbered(&graph, variables), constants, stop)?;
-    Ok((assembled(term, variables, moving), uses))
+    Ok((assembled(&graph, term, variables, moving), uses))
 }
 
 /// The variables as terms of the graph, each with its own number.
@@ -203,9 +205,9 @@ pub(super) fn numbered<'g, 'n>(graph: &'g Graph, variables: &[&'n str]) -> Vec<(
     variables.iter().enumerate().map(|(number, name)| (*name, graph.variable(number))).collect()
 }
 
-pub(super) fn assembled(term: Term<'_>, variables: &[&str], moving: usize) -> Expression {
-    let variables = variables.iter().map(|&name| name.to_owned()).collect();
-    assemble::expression(variables, moving, &parts(term))
+pub(super) fn assembled(graph: &Graph, term: Term<'_>, variables: &[&str], moving: usize) -> Expression {
+    let (nodes, results) = graph.parts(&[term]);
+    Expression(Arc::new(assemble::tape(variables, moving, &nodes, &results)), None)
 }
 
 /// The term of a text in which variables stand for these terms, and the numbers of the variables
@@ -270,7 +272,9 @@ pub(crate) fn from_the_wall(
         .subtract(acceleration)
         .and_then(|force| force.multiply(Term::Number(sign)))
         .map_err(too_large)?;
-    Ok([seen, x, v].map(|term| assembled(term, variables, 2)))
+    let [mut force, x, v] = [seen, x, v].map(|term| assembled(&graph, term, variables, 2));
+    force.1 = Formulas::of(&graph, seen, &force, variables, stop).map(Arc::new);
+    Ok([force, x, v])
 }
 
 /// The number of the time among the variables of a force.

@@ -1,11 +1,13 @@
 //! Comparison of the tape with its expression, node by node, over several number types.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::Arc;
 
-use grazing_model::smooth::{Function, Scalar, Stop, Taylor};
+use grazing_model::smooth::{Function, Partials, Scalar, Stop, Taylor, partial};
 use proptest::prelude::*;
 
-use super::graph::{Graph, Node, parts};
+use super::graph::{Graph, Node};
+use super::partials::Formulas;
 use super::{Expression, parse};
 
 /// The interval of all numbers from the first to the second.
@@ -102,7 +104,7 @@ fn plain<S: Scalar>(text: &str, variables: &[S]) -> S {
     let graph = Graph::default();
     let (term, _) = parse::term(text, &parse::numbered(&graph, &NAMES), &[], &Stop::default())
         .expect("the expression was read");
-    let nodes = parts(term);
+    let (nodes, _) = graph.parts(&[term]);
     let mut values: Vec<S> = Vec::new();
     for node in &nodes {
         values.push(match node {
@@ -185,7 +187,7 @@ proptest! {
         let Ok((term, _)) = parse::term(&text, &parse::numbered(&graph, &NAMES), &[], &Stop::default()) else { return Ok(()) };
         for variable in 0..3 {
             let Ok(slope) = graph.derivative(term, variable, &Stop::default()) else { return Ok(()) };
-            let [value, slope] = [term, slope].map(|term| parse::assembled(term, &NAMES, 3));
+            let [value, slope] = [term, slope].map(|term| parse::assembled(&graph, term, &NAMES, 3));
             let at = [0.7, 0.4, 1.9];
             let mut moving = at.map(Taylor::constant);
             moving[variable] = Taylor::new([at[variable], 1.0, 0.0, 0.0]);
@@ -193,6 +195,48 @@ proptest! {
             let found = slope.evaluate(&at);
             let gap = (found - wanted).abs();
             prop_assert!(!(size + wanted).is_finite() || gap <= 1e-9 * (1.0 + size.abs() + wanted.abs()), "{}: {} {}", text, found, wanted);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn formulas_of_derivatives_are_those_of_automatic_differentiation(text in formula()) {
+        let at = [0.7, 0.4, 1.9, -0.6, 1.2];
+        for names in [["x", "v", "t", "a", "b"], ["a", "t", "b", "x", "v"]] {
+            let graph = Graph::default();
+            let variables = parse::numbered(&graph, &names);
+            let Ok((term, _)) = parse::term(&text, &variables, &[], &Stop::default()) else { return Ok(()) };
+            let mut force = parse::assembled(&graph, term, &names, 2);
+            let Some(formulas) = Formulas::of(&graph, term, &force, &names, &Stop::default()) else { return Ok(()) };
+            force.1 = Some(Arc::new(formulas));
+            let close = |found: f64, wanted: f64, size: f64| {
+                !(size + wanted).is_finite() || (found - wanted).abs() <= 1e-9 * (1.0 + size.abs() + wanted.abs())
+            };
+            let mut known = Partials::zero();
+            prop_assert!(force.partials(&at, true, &mut known));
+            let mut slopes = force.hold_slopes(&at[2..]).expect("there are formulas");
+            let [value, ..] = slopes(&[&at[0], &at[1]], false);
+            prop_assert_eq!(bits([value]), bits([known.0[partial(&[])]]), "{}", text);
+            let slopes = slopes(&[&at[0], &at[1]], true);
+            for (slope, of) in slopes.into_iter().zip([&[][..], &[0], &[1]]) {
+                prop_assert!(close(slope, known.0[partial(of)], 0.0), "{}: {:?} {}", text, of, slope);
+            }
+            for a in 0..5 {
+                for b in a..5 {
+                    let mut moving = at.map(Taylor::constant);
+                    moving[a] = Taylor::new([at[a], 1.0, 0.0, 0.0]);
+                    moving[b] = Taylor::new([at[b], 1.0, 0.0, 0.0]);
+                    let [size, first, second, _] = force.evaluate(&moving).coefficients();
+                    let of = |arguments: &[usize]| known.0[partial(arguments)];
+                    let (slope, bend) = match a == b {
+                        true => (of(&[a]), 0.5 * of(&[a, a])),
+                        false => (of(&[a]) + of(&[b]), 0.5 * (of(&[a, a]) + of(&[b, b])) + of(&[a, b])),
+                    };
+                    prop_assert!(close(slope, first, size), "{}: {} {} {}", text, a, slope, first);
+                    prop_assert!(close(bend, second, size + first), "{}: {} {} {} {}", text, a, b, bend, second);
+                }
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 
 mod evaluation;
 mod examples;
+mod flows;
 mod harmonics;
 mod literature;
 mod messages;

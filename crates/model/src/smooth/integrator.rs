@@ -242,18 +242,24 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// `None` if the iteration does not converge.
     fn solve(&self, from: Pair<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
         let h = step.length;
-        let [mu, eta] = self.parameters.map(Stages::constant);
-        let mut force = self.model.force_at(step.times(time), mu, eta);
-        let mut force = |step: &Step| {
+        let ([mu, eta], times) = (self.parameters.map(Stages::constant), step.times(time));
+        let mut known = self.model.slopes_at(times, mu, eta);
+        let mut jets = known.is_none().then(|| self.model.force_at(times, mu, eta));
+        // F, F_x and F_y at the stages, the last two if they are wanted.
+        let mut force = |step: &Step, slopes: bool| {
             let [x, y] = step.stages(from);
-            force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y))
+            match (&mut known, &mut jets) {
+                (Some(force), _) => force(x, y, slopes),
+                (None, Some(force)) => force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y)).0,
+                (None, None) => unreachable!("one of them is there"),
+            }
         };
         let looser = if self.accuracy == Accuracy::Rough { LOOSER } else { 1.0 };
         let mut before = 1.0;
         let mut iterations = 0..ITERATIONS;
         loop {
-            let jet = force(step);
-            let (mut value, slopes) = (jet.value(), [jet.first(0), jet.first(1)]);
+            let [mut value, by_position, by_velocity] = force(step, true);
+            let slopes = [by_position, by_velocity];
             let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
             let slopes = Slopes::new(slopes, h);
             // The matrix is kept once the iterate is near.
@@ -277,7 +283,7 @@ impl<M: SmoothOscillator> Integrated<M> {
                 if size > NEAR {
                     break;
                 }
-                value = force(step).value();
+                [value, ..] = force(step, false);
             }
         }
     }
@@ -314,10 +320,12 @@ impl<M: SmoothOscillator> Integrated<M> {
             Accuracy::Usual => [1.0; 2],
             Accuracy::Fine => [FINER, NARROWER],
         };
+        let mut tried: Option<Step> = None;
         loop {
-            let accelerations = match &node.last {
-                Some(last) => last.guess(1.0, trial),
-                None => {
+            let accelerations = match (&tried, &node.last) {
+                (Some(longer), _) => longer.guess(0.0, trial),
+                (None, Some(last)) => last.guess(1.0, trial),
+                (None, None) => {
                     let (acceleration, rate) = self.start(node);
                     let longest = wider * SWING / rate;
                     trial = if trial.abs() < longest { trial } else { longest.copysign(trial) };
@@ -357,6 +365,7 @@ impl<M: SmoothOscillator> Integrated<M> {
                 });
             }
             trial *= factor.min(SAFETY);
+            tried = Some(step);
         }
     }
 

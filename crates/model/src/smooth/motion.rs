@@ -66,11 +66,11 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         &self.courses[usize::from(time < 0.0)]
     }
 
-    /// Adds nodes until the time is passed.
-    fn extend(&self, course: &mut Course, time: f64) {
+    /// Adds nodes until the last is as wanted.
+    fn extend(&self, course: &mut Course, is_last: impl Fn(&Node) -> bool) {
         while !course.ended {
             let last = course.nodes[course.nodes.len() - 1];
-            if (last.time - self.start).abs() > time.abs() {
+            if is_last(&last) {
                 return;
             }
             match self.oscillator.next_node(&last, last.proposal) {
@@ -80,12 +80,17 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
+    /// Adds nodes until the time is passed.
+    fn pass(&self, course: &mut Course, time: f64) {
+        self.extend(course, |last| (last.time - self.start).abs() > time.abs());
+    }
+
     /// Adds nodes until the time is passed, and cages between them, which for rough motion are
     /// estimates.
     ///
     /// The solution counts as ended where there is no cage, as it is about to escape.
     fn make_cages(&self, course: &mut Course, time: f64) {
-        self.extend(course, time);
+        self.pass(course, time);
         for k in course.cages.len()..course.nodes.len() - 1 {
             let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
             let rough = self.oscillator.accuracy == Accuracy::Rough;
@@ -103,7 +108,7 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     /// The index of the last node before or at a time since the start, nodes being added until the
     /// time is passed; `None` if the solution does not get that far.
     fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
-        self.extend(course, time);
+        self.pass(course, time);
         let passed = course.nodes_until(self.start, time.abs());
         // No node is passed at a time that is NaN.
         (0 < passed && passed < course.nodes.len()).then(|| passed - 1)
@@ -125,15 +130,31 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
             return Some(());
         }
         let course = &mut *self.course(time).borrow_mut();
-        let k = self.node_before(course, time)?;
-        for ends in course.nodes[..=k].windows(2) {
+        let end = self.start + time;
+        // The last step ends where the time does, so no node is needed beyond.
+        self.extend(course, |last| (last.time + last.proposal - self.start).abs() > time.abs());
+        let inside = course.nodes_until(self.start, time.abs());
+        for ends in course.nodes[..inside].windows(2) {
             visit(ends[0].time, ends[1].last.as_ref()?);
         }
-        let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
-        if node.time != self.start + time {
-            visit(node.time, &self.oscillator.step_between(node, next, self.start + time)?);
+        let mut node = course.nodes[inside.checked_sub(1)?];
+        if let Some(next) = course.nodes.get(inside) {
+            if node.time != end {
+                visit(node.time, &self.oscillator.step_between(&node, next, end)?);
+            }
+            return Some(());
         }
-        Some(())
+        for _ in inside..=MOST_STEPS {
+            let rest = end - node.time;
+            // A sum of times may miss the end by a rounding.
+            if rest.abs() <= f64::EPSILON * end.abs() {
+                return Some(());
+            }
+            let next = self.oscillator.next_node(&node, rest)?;
+            visit(node.time, next.last.as_ref()?);
+            node = next;
+        }
+        None
     }
 
     fn kinematics(&self, [position, velocity]: [f64; 2], t: f64) -> Kinematics {
@@ -162,7 +183,7 @@ impl<M: SmoothOscillator> BoundedMotion for IntegratedMotion<M> {
         let mut course = self.courses[0].borrow_mut();
         for k in 1.. {
             let last = course.nodes[k - 1].time - self.start;
-            self.extend(&mut course, last);
+            self.pass(&mut course, last);
             match course.nodes.get(k) {
                 Some(node) if node.time - self.start >= period => break,
                 Some(node) if node.state[0] > 0.0 => return node.time - self.start,

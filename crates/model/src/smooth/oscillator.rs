@@ -1,6 +1,7 @@
 //! The trait to implement for a smooth oscillator, and the integrated oscillator built from it.
 
 use super::jet::{Jet, variable};
+use super::partials::Partials;
 use crate::scalar::Scalar;
 
 /// An oscillator ẍ = F(x, ẋ, t; μ, η) with reset law y ↦ −y Φ, z ↦ z + y Ψ, all functions smooth.
@@ -18,6 +19,20 @@ pub trait SmoothOscillator: Clone + Send + Sync {
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let [t, mu, eta] = [t, mu, eta].map(S::from);
         move |x, y| self.force(x, y, t, mu, eta)
+    }
+
+    /// F, F_x and F_y at one time as a function of position and velocity, if there are formulas for them; where
+    /// only F is asked for, by `false`, the others mean nothing.
+    ///
+    /// The integrator otherwise evaluates [`force_at`](Self::force_at) with jets, to the same effect.
+    fn slopes_at<S: Scalar>(&self, _t: S, _mu: S, _eta: S) -> Option<impl FnMut(S, S, bool) -> [S; 3]> {
+        None::<fn(S, S, bool) -> [S; 3]>
+    }
+
+    /// Writes F with its derivatives of first and, by `true`, of second order, those that are zero everywhere apart;
+    /// returns whether there are formulas for them.
+    fn partials<S: Scalar>(&self, _arguments: &[S; 5], _second: bool, _partials: &mut Partials<S>) -> bool {
+        false
     }
 
     /// The angular frequency ω(μ, η) of the forcing.

@@ -13,6 +13,7 @@ use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::Arc;
 
 use super::oscillator::SmoothOscillator;
+use super::partials::Partials;
 use super::purpose::Purpose;
 use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::motion::{BoundedMotion, Enclosure, Kinematics};
@@ -136,6 +137,25 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
             Some(force) if !self.stop.is_asked() => force(x, y),
             _ => S::constant(f64::NAN),
         }
+    }
+
+    #[inline]
+    fn slopes_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> Option<impl FnMut(S, S, bool) -> [S; 3]> {
+        if self.stop.is_asked() {
+            return None;
+        }
+        let mut force = self.model.slopes_at(t, mu, eta)?;
+        self.stop.count();
+        Some(move |x, y, slopes| match self.stop.is_asked() {
+            true => [S::constant(f64::NAN); 3],
+            false => force(x, y, slopes),
+        })
+    }
+
+    #[inline]
+    fn partials<S: Scalar>(&self, arguments: &[S; 5], second: bool, partials: &mut Partials<S>) -> bool {
+        // Once an end is asked for, the force is evaluated with jets, and is not a number.
+        !self.stop.is_asked() && self.model.partials(arguments, second, partials)
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {

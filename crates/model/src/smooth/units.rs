@@ -10,6 +10,7 @@
 use core::f64::consts::TAU;
 
 use super::oscillator::SmoothOscillator;
+use super::partials::Partials;
 use crate::scalar::Scalar;
 use crate::taylor::Taylor;
 
@@ -214,6 +215,37 @@ impl<M: SmoothOscillator> SmoothOscillator for Dimensionless<M> {
                 force(x.scale(units.length), y.scale(velocity)).scale(1.0 / acceleration)
             }
         }
+    }
+
+    #[inline]
+    fn slopes_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> Option<impl FnMut(S, S, bool) -> [S; 3]> {
+        let [mu, eta] = self.own([mu, eta]);
+        let t = if self.plain { t } else { t.scale(self.units.time) };
+        let mut force = self.model.slopes_at(t, mu, eta)?;
+        let (plain, Units { length, time, .. }) = (self.plain, self.units);
+        let [velocity, acceleration] = [self.units.velocity(), self.units.acceleration()];
+        Some(move |x: S, y: S, slopes| {
+            if plain {
+                return force(x, y, slopes);
+            }
+            let [value, by_position, by_velocity] = force(x.scale(length), y.scale(velocity), slopes);
+            [value.scale(1.0 / acceleration), by_position.scale(time * time), by_velocity.scale(time)]
+        })
+    }
+
+    #[inline]
+    fn partials<S: Scalar>(&self, arguments: &[S; 5], second: bool, partials: &mut Partials<S>) -> bool {
+        if self.plain {
+            return self.model.partials(arguments, second, partials);
+        }
+        let Units { length, time, primary, secondary } = self.units;
+        let units = [length, self.units.velocity(), time, primary, secondary];
+        let own = core::array::from_fn(|a| arguments[a].scale(units[a]));
+        let known = self.model.partials(&own, second, partials);
+        if known {
+            partials.convert(units, self.units.acceleration());
+        }
+        known
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {

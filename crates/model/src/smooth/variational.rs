@@ -17,6 +17,7 @@ use super::integrator::{Pair, Step};
 use super::jet::variable::{POSITION, PRIMARY, VELOCITY};
 use super::jet::{FIRST, Jet, PAIRS, SECOND, VARIABLES};
 use super::oscillator::{Integrated, SmoothOscillator};
+use super::partials::Partials;
 use super::stages::{Lanes, STAGES, Stages};
 use super::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
 use crate::scalar::Scalar;
@@ -120,9 +121,16 @@ impl<M: SmoothOscillator> Integrated<M> {
     ) -> Jet<LENGTH, Stages> {
         let [mu, eta] = surroundings.parameters;
         let ([x, y], times) = (step.stages(from), step.times(time));
+        let origin = &surroundings.origin;
+        let at = times + Stages::constant(origin.value());
+        let [at_mu, at_eta] = self.parameters.map(Stages::constant);
+        let mut partials = Partials::zero();
+        if self.model.partials(&[x, y, at, at_mu, at_eta], LENGTH == SECOND, &mut partials) {
+            return Jet::of_force(&partials, origin);
+        }
         let mut all = Jet::<LENGTH, Stages>::constant(0.0);
         let [mu, eta] = [mu, eta].map(|jet| Jet(jet.0.map(Lanes::<SIDE_BY_SIDE>::constant)));
-        let origin = Jet(surroundings.origin.0.map(Lanes::constant));
+        let origin = Jet(origin.0.map(Lanes::constant));
         for first in (0..STAGES).step_by(SIDE_BY_SIDE) {
             let some = |stages: &Stages| Lanes(core::array::from_fn(|i| stages.0[first + i]));
             let [x, y] = [Jet::variable(POSITION, some(&x)), Jet::variable(VELOCITY, some(&y))];
