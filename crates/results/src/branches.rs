@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::Bifurcation;
 
 use crate::readings::{MotionReading, Ordinate, Reading, Sweep};
-use crate::{Dimension, Dimensioned, Frame, Names, Stability, Table, Tables, columns, rows, tables, words};
+use crate::{Dimension, Dimensioned, Frame, Stability, columns, rows, tables, words};
 
 words! {
     /// The kinds of phase portraits.
@@ -201,17 +201,6 @@ impl Dimensioned for OneParameter {
 const MARGIN: f64 = 0.06;
 
 impl OneParameter {
-    /// The tables of these diagrams, with these names of the parameters.
-    pub fn tables_of(diagrams: &[Self], names: &Names) -> Vec<Table> {
-        let [branches, bifurcations, attractor, portraits] = [0, 1, 2, 3].map(|k| Self::TABLES[k].name);
-        vec![
-            Table::new(branches, names, diagrams.iter().flat_map(|diagram| &diagram.branches)),
-            Table::new(bifurcations, names, diagrams.iter().flat_map(|diagram| &diagram.bifurcations)),
-            Table::new(attractor, names, diagrams.iter().flat_map(|diagram| &diagram.attractor)),
-            Table::new(portraits, names, diagrams.iter().flat_map(|diagram| &diagram.portraits)),
-        ]
-    }
-
     /// Reorders a pair from (primary, secondary) to (varying, fixed) parameter, or back.
     pub fn exchanged<T>(&self, [first, second]: [T; 2]) -> [T; 2] {
         if self.primary_is_fixed { [second, first] } else { [first, second] }

@@ -138,16 +138,21 @@ impl<T: Dimensioned> Dimensioned for Vec<T> {
     }
 }
 
-/// Declares the units of the numbers of results that are no rows: with which of them, each number that has one.
+/// Declares the units of the numbers of results that are no rows: each number that has one, with it, and without one each
+/// part that is itself [`Dimensioned`].
 ///
 /// `dimensioned! { Escape, |own| { own.time => "time", own.position => "length", } }`
 #[macro_export]
 macro_rules! dimensioned {
-    ($($type:ty, |$own:ident| { $($number:expr => $unit:literal,)+ })+) => {$(
+    (@ $visit:ident, $number:expr, $unit:literal) => {
+        $visit(const { $crate::Dimension::of($unit) }, &mut $number)
+    };
+    (@ $visit:ident, $part:expr) => { $crate::Dimensioned::each_number(&mut $part, $visit) };
+    ($($type:ty, |$own:ident| { $($number:expr $(=> $unit:literal)?,)+ })+) => {$(
         impl $crate::Dimensioned for $type {
             fn each_number(&mut self, visit: &mut dyn FnMut($crate::Dimension, &mut f64)) {
                 let $own = self;
-                $(visit(const { $crate::Dimension::of($unit) }, &mut $number);)+
+                $($crate::dimensioned!(@ visit, $number $(, $unit)?);)+
             }
         }
     )+};

@@ -2,7 +2,7 @@
 
 use grazing_continuation::curve::Window;
 
-use crate::{Dimension, columns};
+use crate::dimensioned;
 
 /// The least and the greatest of some numbers; [∞, −∞] if there are none.
 pub fn span(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
@@ -19,17 +19,21 @@ pub struct Frame {
     pub y: [f64; 2],
 }
 
+// A frame of the plane of the two parameters; what shows another plane says what its frames are made of.
+dimensioned! {
+    Frame, |own| {
+        own.x[0] => "{primary}",
+        own.x[1] => "{primary}",
+        own.y[0] => "{secondary}",
+        own.y[1] => "{secondary}",
+    }
+}
+
 impl Frame {
     /// The corners of the rectangle, with the first one repeated at the end.
     pub fn outline(&self) -> [(f64, f64); 5] {
         let ([left, right], [low, high]) = (self.x, self.y);
         [(left, low), (right, low), (right, high), (left, high), (left, low)]
-    }
-
-    /// Visits the numbers of a frame of the plane of the two parameters.
-    pub(crate) fn each_parameter(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
-        self.x.iter_mut().for_each(|primary| visit(columns::PRIMARY.dimension, primary));
-        self.y.iter_mut().for_each(|secondary| visit(columns::SECONDARY.dimension, secondary));
     }
 
     /// Whether the point is inside or on the edge; false for NaN.

@@ -1,6 +1,6 @@
 //! The behaviour of an oscillator at one place of the parameter plane.
 
-use crate::{Names, Stability, Table, Tables, brief, rows, tables};
+use crate::{Stability, brief, rows, tables};
 
 rows! {
     /// An attractor that some of the initial states lead to.
@@ -110,20 +110,6 @@ tables! {
         from_the_wall: bool,
         /// The numbers of initial states across and up in the pictures of basins.
         lattice: [u32; 2],
-    }
-}
-
-impl AtPlace {
-    /// The tables of several places, with these names of the parameters.
-    pub fn tables_of(places: &[Self], names: &Names) -> Vec<Table> {
-        let [attractors, solutions, motion, impacts, basins] = [0, 1, 2, 3, 4].map(|k| Self::TABLES[k].name);
-        vec![
-            Table::new(attractors, names, places.iter().flat_map(|place| &place.attractors)),
-            Table::new(solutions, names, places.iter().flat_map(|place| &place.solutions)),
-            Table::new(motion, names, places.iter().flat_map(|place| &place.motion)),
-            Table::new(impacts, names, places.iter().flat_map(|place| &place.impacts)),
-            Table::new(basins, names, places.iter().flat_map(|place| &place.basins)),
-        ]
     }
 }
 

@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
 use crate::measured::MeasuredPoint;
-use crate::{Dimension, Dimensioned, Frame, Stability, columns, rows, tables, words};
+use crate::{Frame, Stability, dimensioned, rows, tables, words};
 
 words! {
     /// The kinds of regions of the parameter plane, by the solutions that are stable and admissible
@@ -172,33 +172,6 @@ impl PlanePoint {
     }
 }
 
-impl Dimensioned for PlaneDiagram {
-    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
-        self.curves.each_number(visit);
-        self.points.each_number(visit);
-        self.regions.each_number(visit);
-        self.own.each_number(visit);
-        self.several.each_number(visit);
-        self.at_both_walls.each_number(visit);
-        self.measured.each_number(visit);
-        let frames = self.magnified.iter_mut().map(|panel| &mut panel.frame);
-        frames.chain([&mut self.frame]).for_each(|frame| frame.each_parameter(visit));
-        for (primary, secondary) in self.sections.iter_mut().flat_map(|section| &mut section.ends) {
-            visit(columns::PRIMARY.dimension, primary);
-            visit(columns::SECONDARY.dimension, secondary);
-        }
-    }
-}
-
-impl Dimensioned for Magnifications {
-    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
-        self.curves.each_number(visit);
-        self.points.each_number(visit);
-        self.regions.each_number(visit);
-        self.panels.iter_mut().for_each(|panel| panel.frame.each_parameter(visit));
-    }
-}
-
 rows! {
     /// A point of a curve in straightened coordinates.
     StraightenedPoint {
@@ -232,6 +205,15 @@ pub struct MagnifiedPanel {
     pub coefficients: Pair<f64>,
 }
 
+// A panel of the plane of the two parameters.
+dimensioned! {
+    MagnifiedPanel, |own| {
+        own.frame,
+        own.coefficients.saddle_node => "{primary}/{secondary}^2",
+        own.coefficients.period_doubling => "{primary}/{secondary}^2",
+    }
+}
+
 /// The line along which a one-parameter diagram runs in the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
@@ -243,9 +225,18 @@ pub struct Section {
     pub thin: bool,
 }
 
+dimensioned! {
+    Section, |own| {
+        own.ends[0].0 => "{primary}",
+        own.ends[0].1 => "{secondary}",
+        own.ends[1].0 => "{primary}",
+        own.ends[1].1 => "{secondary}",
+    }
+}
+
 tables! {
     /// The contents of a two-parameter diagram, such as Figure 7.
-    PlaneDiagram {
+    PlaneDiagram: Dimensioned {
         /// The curves are the grazing curve of the non-impacting solution and the bifurcation curves of
         /// MPSs. Consecutive points with equal kind, p, n and arc form one curve.
         curves: PlanePoint = "curves", "a point of a curve of the diagram",
@@ -282,7 +273,7 @@ tables! {
     }
 
     /// The contents of the magnifications of a two-parameter diagram; Figure 8 is one sheet of them.
-    Magnifications {
+    Magnifications: Dimensioned {
         /// The curves are continued curves and quadratic approximations. Consecutive points with equal
         /// panel, kind, source and arc form one curve.
         curves: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",

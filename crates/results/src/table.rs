@@ -1,5 +1,7 @@
 //! Rows, and tables of them.
 
+use std::slice;
+
 use crate::{Cell, Column, Names};
 
 /// A row of a table.
@@ -105,11 +107,32 @@ pub trait Tables {
     /// The names and columns of the tables.
     const TABLES: &'static [TablePlan];
 
+    /// The tables of several outputs, each with the rows of all of them, named as in `tables`, which has as many entries.
+    fn tables_of_all(all: &[Self], tables: &[TablePlan], names: &Names) -> Vec<Table>
+    where
+        Self: Sized;
+
+    /// The tables of several outputs, with these names of the parameters.
+    fn tables_of(all: &[Self], names: &Names) -> Vec<Table>
+    where
+        Self: Sized,
+    {
+        Self::tables_of_all(all, Self::TABLES, names)
+    }
+
     /// All tables, named as in `tables`, which has as many entries.
-    fn tables_as(&self, tables: &[TablePlan], names: &Names) -> Vec<Table>;
+    fn tables_as(&self, tables: &[TablePlan], names: &Names) -> Vec<Table>
+    where
+        Self: Sized,
+    {
+        Self::tables_of_all(slice::from_ref(self), tables, names)
+    }
 
     /// All tables, with these names of the parameters.
-    fn tables(&self, names: &Names) -> Vec<Table> {
+    fn tables(&self, names: &Names) -> Vec<Table>
+    where
+        Self: Sized,
+    {
         self.tables_as(Self::TABLES, names)
     }
 }
@@ -208,10 +231,19 @@ macro_rules! row {
 }
 
 /// Declares the contents of an output: lists of rows, each with the name of its table, a description of a
-/// row and optional further documentation; then other fields.
+/// row and optional further documentation; then other fields. One that is declared as `Output: Dimensioned` is
+/// [`Dimensioned`](crate::Dimensioned) in all its fields.
 #[macro_export]
 macro_rules! tables {
-    ($($(#[$meta:meta])* $name:ident {
+    (@ $name:ident [$($field:ident)+]) => {};
+    (@ Dimensioned $name:ident [$($field:ident)+]) => {
+        impl $crate::Dimensioned for $name {
+            fn each_number(&mut self, visit: &mut dyn FnMut($crate::Dimension, &mut f64)) {
+                $($crate::Dimensioned::each_number(&mut self.$field, visit);)+
+            }
+        }
+    };
+    ($($(#[$meta:meta])* $name:ident $(: $dimensioned:ident)? {
         $($(#[$about:meta])* $rows:ident: $row:ty = $table:literal, $is:literal,)+
         $(; $($(#[$what:meta])* $other:ident: $type:ty,)+)?
     })+) => {$(
@@ -225,11 +257,19 @@ macro_rules! tables {
         impl $crate::Tables for $name {
             const TABLES: &'static [$crate::TablePlan] = &[$($crate::TablePlan::of::<$row>($table, $is),)+];
 
-            fn tables_as(&self, tables: &[$crate::TablePlan], names: &$crate::Names) -> Vec<$crate::Table> {
+            fn tables_of_all(
+                all: &[Self],
+                tables: &[$crate::TablePlan],
+                names: &$crate::Names,
+            ) -> Vec<$crate::Table> {
                 let mut tables = tables.iter();
-                let all = [$(tables.next().map(|table| $crate::Table::new(table.name, names, &self.$rows)),)+];
-                all.into_iter().flatten().collect()
+                let each = [$(tables.next().map(|table| {
+                    $crate::Table::new(table.name, names, all.iter().flat_map(|one| &one.$rows))
+                }),)+];
+                each.into_iter().flatten().collect()
             }
         }
+
+        $crate::tables!(@ $($dimensioned)? $name [$($rows)+ $($($other)*)?]);
     )+};
 }

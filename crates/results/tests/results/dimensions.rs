@@ -1,16 +1,18 @@
 //! Rows in other units.
 
-use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_model::smooth::Units;
 use grazing_results::branches::{PortraitKind, PortraitPoint};
 use grazing_results::columns::{self, C_PD, C_SN};
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate};
 use grazing_results::measured::{Agreement, MeasuredPoint, SeenKind};
 use grazing_results::place::PlaceAttractor;
-use grazing_results::plane::{OnCurve, PlanePoint, SequenceResonance, StraightenedPoint};
+use grazing_results::plane::{
+    Magnifications, MagnifiedPanel, OnCurve, PlanePoint, SequenceResonance, StraightenedPoint,
+};
 use grazing_results::readings::Reading;
 use grazing_results::resonance::{Coefficients, Quantities};
-use grazing_results::{Column, Dimension, Dimensioned, Row, Stability};
+use grazing_results::{Column, Dimension, Dimensioned, Frame, Row, Stability};
 use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use grazing_theorems::spectrum::LinearisedMap;
 use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding};
@@ -200,6 +202,22 @@ fn rows_in_other_units_are_what_the_units_of_their_columns_say_and_come_back_as_
     let converted = degenerate.clone().with_dimensions(&UNITS);
     assert_eq!([converted.primary, converted.secondary], [0.3 * UNITS.primary, 0.7 * UNITS.secondary]);
     assert_eq!(converted.varied[2], degenerate.varied[2]);
+}
+
+#[test]
+fn panels_are_converted_with_what_they_show_and_axes_are_exchanged_in_their_frames_alone() {
+    let frame = Frame { x: [1.0, 2.0], y: [3.0, 4.0] };
+    let coefficients = Pair { saddle_node: -280.9, period_doubling: 610.2 };
+    let panel = MagnifiedPanel { panel: 1, frame, loops: 1, wall: 0, n: Some(2), coefficients };
+    let of =
+        Magnifications { curves: Vec::new(), points: Vec::new(), regions: Vec::new(), panels: vec![panel] };
+    let own = of.clone().with_dimensions(&UNITS).panels[0];
+    assert_eq!(own.frame, Frame { x: [64.0, 128.0], y: [0.75, 1.0] });
+    assert_eq!(own.coefficients, coefficients.map(|coefficient| coefficient * C_SN.dimension.size(&UNITS)));
+    let mut exchanged = of;
+    exchanged.exchange();
+    let turned = Frame { x: frame.y, y: frame.x };
+    assert_eq!(exchanged.panels[0], MagnifiedPanel { frame: turned, ..panel });
 }
 
 #[test]
