@@ -13,9 +13,7 @@ use grazing_results::{Dimensioned, Frame, Names, Stability, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::levels::{Level, LevelCurve};
-use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{Doubt, Region};
-use grazing_unfold::straightened::StraightCurve;
 
 /// The names of the two parameters, which head their columns, and the units of the tables, to which
 /// dimensionless results are converted.
@@ -278,24 +276,14 @@ pub fn lost(diagram: &Diagram) -> impl Iterator<Item = String> {
     unlocated.chain(diagram.not_unfolded.iter().map(|lost| format!("{}: {}", lost.name(), lost.reason)))
 }
 
-/// Curves of magnifications, panel by panel from 1, with points in the oscillator's own units.
-pub fn magnified_curves<'a>(panels: impl IntoIterator<Item = &'a Vec<Polyline>>) -> Vec<MagnifiedPoint> {
-    let mut rows = Vec::new();
-    for (panel, polylines) in (1..).zip(panels) {
-        for (arc, &Polyline { kind, loops, n, source, ref points }) in (1..).zip(polylines) {
-            rows.extend(points.iter().map(|&[primary, secondary]| MagnifiedPoint {
-                panel,
-                loops,
-                n,
-                kind,
-                source,
-                arc,
-                secondary,
-                primary,
-            }));
-        }
-    }
-    rows
+/// Curves of magnifications, panel by panel from 1.
+pub fn magnified_curves<'a>(
+    panels: impl IntoIterator<Item = &'a Vec<MagnifiedPoint>>,
+) -> Vec<MagnifiedPoint> {
+    let panels = (1..).zip(panels);
+    panels
+        .flat_map(|(panel, points)| points.iter().map(move |point| MagnifiedPoint { panel, ..point.clone() }))
+        .collect()
 }
 
 /// The leading digits of the |η| at which curves are straightened, for each decade.
@@ -322,29 +310,15 @@ const STRAIGHTENED_MARGIN: f64 = 0.25;
 /// Curves in straightened coordinates, with a panel for each resonance that has curves; the frames of the
 /// panels are chosen here. All in the oscillator's own units.
 pub fn straightened<'a>(
-    panels: impl IntoIterator<Item = (MagnifiedPanel, &'a [StraightCurve])>,
+    panels: impl IntoIterator<Item = (MagnifiedPanel, &'a [StraightenedPoint])>,
 ) -> StraightenedCurves {
     let (mut rows, mut shown) = (Vec::new(), Vec::new());
-    for (panel, curves) in panels {
-        let n = panel.n.unwrap_or_default();
-        for (arc, curve) in (1..).zip(curves) {
-            rows.extend(curve.points.iter().map(|point| StraightenedPoint {
-                panel: panel.panel,
-                loops: curve.loops,
-                n,
-                kind: curve.kind,
-                arc,
-                eta: point.eta,
-                distance: point.distance.value,
-                error: point.distance.error / point.distance.value.abs(),
-                limit: curve.coefficient,
-            }));
-        }
-        let limits = || curves.iter().map(|curve| curve.coefficient);
+    for (panel, points) in panels {
+        rows.extend(points.iter().map(|point| StraightenedPoint { panel: panel.panel, ..point.clone() }));
+        let limits = || points.iter().map(|point| point.limit);
         let [low, high] = [limits().fold(0.0, f64::min), limits().fold(0.0, f64::max)];
         let margin = STRAIGHTENED_MARGIN * (high - low);
-        let etas = curves.iter().flat_map(|curve| &curve.points).map(|point| point.eta.abs());
-        let farthest = etas.fold(0.0, f64::max);
+        let farthest = points.iter().map(|point| point.eta.abs()).fold(0.0, f64::max);
         if farthest > 0.0 && margin > 0.0 {
             let frame = Frame { x: [low - margin, high + margin], y: [-farthest, farthest] };
             shown.push(MagnifiedPanel { frame, ..panel });

@@ -52,7 +52,7 @@ impl Study {
         let resonances: Vec<_> = diagram.unfolding().collect();
         let curves = |&(found, point): &(&Resonance, &ResonantGrazingPoint)| {
             let coefficients = closed_form_coefficients(&theory.resonance(found.loops, found.n)?);
-            Ok((coefficients, straighten(diagram, point, &verdict::near(point), &etas)))
+            Ok((coefficients, straighten(diagram, (found, point), &verdict::near(point), &etas)))
         };
         let all: Vec<_> = resonances.par_iter().map(curves).collect::<Result<_, StudyError>>()?;
         let panels = (1..).zip(resonances.iter().zip(&all)).map(|(panel, ((found, _), (known, curves)))| {

@@ -6,28 +6,13 @@ use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::locate::same_point;
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
-use grazing_results::plane::CurveSource;
+use grazing_results::plane::{CurveSource, MagnifiedPoint};
 use grazing_results::span;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, DiagramCurve, route};
 use crate::grazing::{GrazingCurve, interpolated};
 use crate::resonances::Resonance;
-
-/// A polyline of a magnification, as points (μ, η).
-#[derive(Clone, Debug)]
-pub struct Polyline {
-    /// The bifurcation along the polyline.
-    pub kind: Bifurcation,
-    /// The number of loops p of the solutions; 0 is the non-impacting one.
-    pub loops: u32,
-    /// The integer n of the resonance that the curve leaves; 0 without one.
-    pub n: u32,
-    /// The source of the curve.
-    pub source: CurveSource,
-    /// The points in order.
-    pub points: Vec<[f64; 2]>,
-}
 
 /// Short steps, for curves at thirty times the scale of the diagram.
 const MAGNIFIED: StepControl =
@@ -37,8 +22,8 @@ const MAGNIFIED: StepControl =
 /// of the grazing curve across it.
 const SAMPLES: u32 = 100;
 
-/// The curves in a window about a resonance: grazing, the resonance's own, its neighbours',
-/// quadratic approximations.
+/// The curves in a window about a resonance, numbered from 1 and in no panel yet: grazing, the resonance's own, its
+/// neighbours', quadratic approximations.
 ///
 /// # Errors
 /// The resonance's curves could not be followed.
@@ -47,22 +32,21 @@ pub fn magnify(
     resonance: &Resonance,
     point: &ResonantGrazingPoint,
     window: Window,
-) -> Result<Vec<Polyline>, ResonanceError> {
-    let (loops, n) = (resonance.loops, resonance.n);
-    let source = CurveSource::Continuation;
-    let continued = |kind, [loops, n]: [u32; 2], points| Polyline { kind, loops, n, source, points };
+) -> Result<Vec<MagnifiedPoint>, ResonanceError> {
+    let own = [resonance.loops, resonance.n];
+    let continued = |kind, of, points| line(kind, CurveSource::Continuation, of, points);
     let mut list: Vec<_> = diagram
         .grazing
         .iter()
         .map(|curve| continued(Bifurcation::NonImpactingGrazing, [0, 0], close_to(curve, window)))
         .collect();
-    list.retain(|polyline| polyline.points.len() > 1);
+    list.retain(|line| line.len() > 1);
 
     let unfolded = point.unfold(&route(window, MAGNIFIED))?;
-    let own = |curve: &Curve| {
-        Some(continued(Bifurcation::of(curve.condition, loops)?, [loops, n], curve.parameters()))
+    let unfolding = |curve: &Curve| {
+        Some(continued(Bifurcation::of(curve.condition, resonance.loops)?, own, curve.parameters()))
     };
-    list.extend(unfolded.curves().filter_map(own));
+    list.extend(unfolded.curves().filter_map(unfolding));
     // The resonance's own curves are included already; one of them may begin outside and enter
     // again.
     let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns.clone());
@@ -73,7 +57,7 @@ pub fn magnify(
                 .iter()
                 .any(|(condition, start)| *condition == curve.curve.condition && same_point(start, end))
         };
-        curve.loops == loops && curve.ends().iter().any(begins)
+        curve.loops == resonance.loops && curve.ends().iter().any(begins)
     };
     for other in diagram.curves.iter().filter(|curve| !shown(curve)) {
         let points = other.curve.parameters();
@@ -84,9 +68,32 @@ pub fn magnify(
 
     for (kind, curve) in point.leading().named() {
         let points = approximation(point, curve, window);
-        list.push(Polyline { kind, loops, n, source: CurveSource::Quadratic, points });
+        list.push(line(kind, CurveSource::Quadratic, own, points));
     }
-    Ok(list)
+    let numbered = (1..).zip(list);
+    let points =
+        numbered.flat_map(|(arc, line)| line.into_iter().map(move |point| MagnifiedPoint { arc, ..point }));
+    Ok(points.collect())
+}
+
+/// The points of a curve, not yet numbered.
+fn line(
+    kind: Bifurcation,
+    source: CurveSource,
+    [loops, n]: [u32; 2],
+    points: Vec<[f64; 2]>,
+) -> Vec<MagnifiedPoint> {
+    let row = |[primary, secondary]: [f64; 2]| MagnifiedPoint {
+        panel: 0,
+        loops,
+        n,
+        kind,
+        source,
+        arc: 0,
+        secondary,
+        primary,
+    };
+    points.into_iter().map(row).collect()
 }
 
 /// The part of a grazing curve with η in the window, with points spaced for it.

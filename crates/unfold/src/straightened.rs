@@ -16,53 +16,18 @@ use grazing_continuation::locate::{Condition, locate, same_point};
 use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
 use grazing_continuation::resonance::{LeavingCurve, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
-use grazing_results::{Dimension, Dimensioned, dimensioned};
+use grazing_results::plane::StraightenedPoint;
 use grazing_theorems::from_map::GrazingPlace;
 
 use crate::diagram::Diagram;
-
-/// A point of a curve in straightened coordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StraightPoint {
-    /// The distance η from the resonance.
-    pub eta: f64,
-    /// The scaled distance (μ − μ_graz)/η².
-    pub distance: Estimate,
-}
-
-/// A curve that leaves a resonance.
-#[derive(Clone, Debug)]
-pub struct StraightCurve {
-    /// The bifurcation along the curve.
-    pub kind: Bifurcation,
-    /// The number of loops p of the solutions.
-    pub loops: u32,
-    /// The limit of (μ − μ_graz)/η², by theory.
-    pub coefficient: f64,
-    /// The points of the curve from the resonance on.
-    pub points: Vec<StraightPoint>,
-}
-
-dimensioned! {
-    StraightPoint, |own| {
-        own.eta => "{secondary}",
-        own.distance.value => "{primary}/{secondary}^2",
-        own.distance.error => "{primary}/{secondary}^2",
-    }
-}
-
-impl Dimensioned for StraightCurve {
-    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
-        visit(Dimension::of("{primary}/{secondary}^2"), &mut self.coefficient);
-        self.points.each_number(visit);
-    }
-}
+use crate::resonances::Resonance;
 
 /// Number of roundings in the difference of two places, each found by Newton's method.
 const ROUNDINGS: f64 = 16.0;
 
 /// The curves that bound the stable MPSs beside a resonance and leave it, each at those of the
-/// given |η|, in increasing order, that it reaches before it ends or turns back, and at its end.
+/// given |η|, in increasing order, that it reaches before it ends or turns back, and at its end. They are numbered from 1,
+/// and in no panel yet.
 ///
 /// These are the SN and PD curves of the resonance's own p, whose interpolants are given, and at a
 /// resonance of p = 1 the SN, PD and GZ curves of solutions with more loops
@@ -70,10 +35,10 @@ const ROUNDINGS: f64 = 16.0;
 /// curve that is not in the diagram is left out.
 pub fn straighten(
     diagram: &Diagram,
-    point: &ResonantGrazingPoint,
+    (resonance, point): (&Resonance, &ResonantGrazingPoint),
     own: &Pair<Result<Straightened, FitError>>,
     etas: &[f64],
-) -> Vec<StraightCurve> {
+) -> Vec<StraightenedPoint> {
     let leaving = Pair::CONDITIONS.map(|condition| point.leaving(condition));
     let own = leaving.zip(own.clone()).into_array().into_iter();
     let more = diagram.scope.loops.iter().filter(|&&loops| loops > 1);
@@ -81,16 +46,35 @@ pub fn straighten(
         let near = curve.straightened();
         (curve, near)
     });
-    own.chain(iterated).filter_map(|(curve, near)| along(diagram, &curve, near.ok().as_ref(), etas)).collect()
+    let curves =
+        own.chain(iterated).filter_map(|(curve, near)| along(diagram, &curve, near.ok().as_ref(), etas));
+    let n = resonance.n;
+    let points = (1..)
+        .zip(curves)
+        .flat_map(|(arc, curve)| curve.into_iter().map(move |point| StraightenedPoint { n, arc, ..point }));
+    points.collect()
 }
 
+/// The points of a curve from the resonance on, not yet numbered.
 fn along(
     diagram: &Diagram,
     curve: &LeavingCurve<'_>,
     near: Option<&Straightened>,
     etas: &[f64],
-) -> Option<StraightCurve> {
+) -> Option<Vec<StraightenedPoint>> {
     let loops = curve.equations.loops();
+    let kind = Bifurcation::of(curve.condition, loops)?;
+    let row = |eta, Estimate { value, error }| StraightenedPoint {
+        panel: 0,
+        loops,
+        n: 0,
+        kind,
+        arc: 0,
+        eta,
+        distance: value,
+        error: error / value.abs(),
+        limit: curve.leading.coefficient,
+    };
     let side = curve.leading.eta_side.signum();
     let [_, origin] = curve.resonance.orbit().oscillator().parameters();
     let outwards = outwards(diagram, curve)?;
@@ -116,10 +100,9 @@ fn along(
             }
             (known, found) => known.or(found),
         };
-        points.extend(distance.map(|distance| StraightPoint { eta, distance }));
+        points.extend(distance.map(|distance| row(eta, distance)));
     }
-    let kind = Bifurcation::of(curve.condition, loops)?;
-    Some(StraightCurve { kind, loops, coefficient: curve.leading.coefficient, points })
+    Some(points)
 }
 
 /// Effect of rounding: of places on their difference divided by η², and of η* on η.

@@ -6,14 +6,14 @@ use grazing_continuation::fit::{FitError, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
-use grazing_results::plane::{MagnifiedPanel, StraightenedCurves};
+use grazing_results::plane::{MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint};
 use grazing_results::{Dimensioned, brief};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::{Hypothesis, Theorem};
 use grazing_unfold::Diagram;
-use grazing_unfold::magnification::{Polyline, magnify, window_about};
+use grazing_unfold::magnification::{magnify, window_about};
 use grazing_unfold::resonances::Resonance;
-use grazing_unfold::straightened::{StraightCurve, straighten};
+use grazing_unfold::straightened::straighten;
 use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
 use grazing_unfold::verification::{Simulated, simulate};
 
@@ -94,9 +94,9 @@ pub struct Curves {
     /// The window of the magnification.
     pub window: Window,
     /// The curves in the magnification; empty if they could not be followed.
-    pub magnified: Vec<Polyline>,
+    pub magnified: Vec<MagnifiedPoint>,
     /// The curves in straightened coordinates.
-    pub straightened: Vec<StraightCurve>,
+    pub straightened: Vec<StraightenedPoint>,
 }
 
 /// The results for an SN or PD curve.
@@ -142,12 +142,9 @@ pub(super) fn curves_from(
         simulated: simulate(point, kind, &coefficients).with_dimensions(units),
     };
     let window = window_about(diagram, resonance, point);
-    let mut magnified = magnify(diagram, resonance, point, window).unwrap_or_default();
-    for place in magnified.iter_mut().flat_map(|polyline| &mut polyline.points) {
-        *place = units.parameters(*place);
-    }
+    let magnified = magnify(diagram, resonance, point, window).unwrap_or_default().with_dimensions(units);
     let findings = Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding);
-    let straightened = straightened(diagram, point, &near, units);
+    let straightened = straightened(diagram, (resonance, point), &near, units);
     let doubled_grazing = measured_doubled_grazing(&resonance.located).unwrap_or(f64::NAN)
         * (units.primary / units.secondary / units.secondary);
     Curves { findings, doubled_grazing, window: window.with_dimensions(units), magnified, straightened }
@@ -156,13 +153,13 @@ pub(super) fn curves_from(
 /// The curves that leave a resonance in straightened coordinates, in the oscillator's own units.
 fn straightened(
     diagram: &Diagram,
-    point: &ResonantGrazingPoint,
+    at: (&Resonance, &ResonantGrazingPoint),
     near: &Pair<Result<Straightened, FitError>>,
     units: &Units,
-) -> Vec<StraightCurve> {
+) -> Vec<StraightenedPoint> {
     let etas = plane::straightened_etas(diagram.scope.window.with_dimensions(units).secondary);
     let etas: Vec<f64> = etas.iter().map(|eta| eta / units.secondary).collect();
-    straighten(diagram, point, near, &etas).into_iter().map(|curve| curve.with_dimensions(units)).collect()
+    straighten(diagram, at, near, &etas).with_dimensions(units)
 }
 
 /// The curves that leave one resonance of a diagram, in straightened coordinates. The diagram needs no
@@ -175,7 +172,7 @@ pub fn straightened_at(
     let near = near(point);
     let coefficients =
         coefficients_on(point, &near).map(|known| known.with_dimensions(&axes.units).theorem.value);
-    let curves = straightened(diagram, point, &near, &axes.units);
+    let curves = straightened(diagram, (resonance, point), &near, &axes.units);
     let frame = diagram.scope.window.with_dimensions(&axes.units).into();
     let (loops, wall, n) = (resonance.loops, diagram.wall, Some(resonance.n));
     let panel = MagnifiedPanel { panel: 1, frame, loops, wall, n, coefficients };

@@ -48,9 +48,9 @@ impl StudyFigure for Figure8 {
                 ))
             })
         };
-        let polylines: Vec<_> = shown.par_iter().map(curves).collect::<Result<_, _>>()?;
+        let curves: Vec<_> = shown.par_iter().map(curves).collect::<Result<_, _>>()?;
         Ok(Magnifications {
-            curves: plane::magnified_curves(&polylines),
+            curves: plane::magnified_curves(&curves),
             points: plane::points(&axes, diagram),
             regions: plane::regions(&axes, &diagram.regions),
             panels: self.panels(study)?,

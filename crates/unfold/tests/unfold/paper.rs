@@ -16,9 +16,9 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
-use grazing_results::plane::CurveSource;
+use grazing_results::plane::{CurveSource, MagnifiedPoint};
 use grazing_unfold::diagram::route;
-use grazing_unfold::magnification::{Polyline, magnify};
+use grazing_unfold::magnification::magnify;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::{Diagram, Scope};
@@ -219,11 +219,21 @@ fn resonance(diagram: &Diagram, loops: u32, n: u32) -> (&Resonance, &ResonantGra
     diagram.unfolding().find(|(found, _)| (found.loops, found.n) == (loops, n)).unwrap()
 }
 
-/// Checks that the points of a polyline lie on one of the curves of a kind in closed form, of which
+/// A curve of a magnification: its kind and its source, and its points (μ, η).
+type Line = ((Bifurcation, CurveSource), Vec<[f64; 2]>);
+
+/// The curves of a magnification.
+fn lines(points: &[MagnifiedPoint]) -> Vec<Line> {
+    let place = |point: &MagnifiedPoint| [point.primary, point.secondary];
+    let lines = points.chunk_by(|a, b| a.arc == b.arc);
+    lines.map(|line| ((line[0].kind, line[0].source), line.iter().map(place).collect())).collect()
+}
+
+/// Checks that the points of a line lie on one of the curves of a kind in closed form, of which
 /// many points are known; returns the number of points compared.
-fn assert_near(polyline: &Polyline, condition: Condition, known: &[&Curve], loops: u32) -> usize {
+fn assert_near(line: &[[f64; 2]], condition: Condition, known: &[&Curve], loops: u32) -> usize {
     let mut compared = 0;
-    for (index, here) in polyline.points.iter().enumerate() {
+    for (index, here) in line.iter().enumerate() {
         let gap = |unknowns: &Unknowns| {
             libm::hypot(unknowns[unknown::PRIMARY] - here[0], unknowns[unknown::SECONDARY] - here[1])
         };
@@ -242,8 +252,8 @@ fn assert_near(polyline: &Polyline, condition: Condition, known: &[&Curve], loop
         if start[unknown::VELOCITY] == 0.0 {
             continue;
         }
-        let last = polyline.points.len() - 1;
-        let [before, after] = [polyline.points[index.max(1) - 1], polyline.points[(index + 1).min(last)]];
+        let last = line.len() - 1;
+        let [before, after] = [line[index.max(1) - 1], line[(index + 1).min(last)]];
         let steep = (after[0] - before[0]).abs() > (after[1] - before[1]).abs();
         let most = if steep { Condition::Primary(here[0]) } else { Condition::Secondary(here[1]) };
         let equations = LoopEquations::new(closed_form(), loops, Formulation::FixedPhase);
@@ -264,19 +274,19 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
         let window = window(&panel["near"]);
         let (found, point) = resonance(integrated, loops, n);
         let (theirs, closed_point) = resonance(closed, loops, n);
-        let ours = magnify(integrated, found, point, window).unwrap();
-        let closed_lines = magnify(closed, theirs, closed_point, window).unwrap();
-        let shape = |lines: &[Polyline]| -> Vec<_> { lines.iter().map(|l| (l.kind, l.source)).collect() };
+        let ours = lines(&magnify(integrated, found, point, window).unwrap());
+        let closed_lines = lines(&magnify(closed, theirs, closed_point, window).unwrap());
+        let shape = |lines: &[Line]| -> Vec<_> { lines.iter().map(|(what, _)| *what).collect() };
         assert_eq!(shape(&ours), shape(&closed_lines));
         // Steps such that Newton's method has a short way from the nearest point.
         let control =
             StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-9, turn: 0.02, ..StepControl::DRAWING };
         let unfolded = closed_point.unfold(&route(window, control)).unwrap();
         let mut own = vec![Bifurcation::SaddleNode, Bifurcation::PeriodDoubling, Bifurcation::Grazing];
-        for (line, theirs) in ours.iter().zip(&closed_lines) {
-            let kind = match (line.kind, line.source) {
+        for ((what, line), (_, theirs)) in ours.iter().zip(&closed_lines) {
+            let kind = match *what {
                 (Bifurcation::NonImpactingGrazing, _) => {
-                    for [amplitude, frequency] in &line.points {
+                    for [amplitude, frequency] in line {
                         assert_within(*amplitude, grazing_at(ZETA, *frequency).amplitude(), AGREEMENT);
                     }
                     continue;
@@ -284,12 +294,12 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
                 (_, CurveSource::Quadratic) => {
                     // Sampled at the same η; the last sample may lie on either side of the edge.
                     assert!(
-                        line.points.len().abs_diff(theirs.points.len()) <= 1 && line.points.len() > 10,
+                        line.len().abs_diff(theirs.len()) <= 1 && line.len() > 10,
                         "{} {}",
-                        line.points.len(),
-                        theirs.points.len()
+                        line.len(),
+                        theirs.len()
                     );
-                    for (a, b) in line.points.iter().zip(&theirs.points) {
+                    for (a, b) in line.iter().zip(theirs) {
                         assert_within(a[0], b[0], AGREEMENT);
                         assert_within(a[1], b[1], AGREEMENT);
                     }
@@ -308,11 +318,7 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
             };
             if !known.is_empty() {
                 let compared = assert_near(line, condition, &known, loops);
-                assert!(
-                    compared + 5 >= line.points.len() && compared > 5,
-                    "{kind:?} {compared} {}",
-                    line.points.len()
-                );
+                assert!(compared + 5 >= line.len() && compared > 5, "{kind:?} {compared} {}", line.len());
             }
         }
     });

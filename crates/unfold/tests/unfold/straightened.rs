@@ -4,8 +4,8 @@
 mod double;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::fit::Estimate;
-use grazing_unfold::straightened::{StraightCurve, StraightPoint, straighten};
+use grazing_results::plane::StraightenedPoint;
+use grazing_unfold::straightened::straighten;
 use grazing_unfold::verdict::near;
 use grazing_unfold::{Diagram, Scope, progress::Silent};
 
@@ -22,15 +22,25 @@ fn etas() -> Vec<f64> {
 fn straightened(
     oscillator: &grazing_model::AnyOscillator,
     scope: &Scope,
-) -> Vec<([u32; 2], Vec<StraightCurve>)> {
+) -> Vec<([u32; 2], Vec<Vec<StraightenedPoint>>)> {
     let located = Diagram::located(oscillator, scope, &Silent).unwrap();
     let followed = located.follow(&Silent, &|_, _| ());
     let diagram = located.with_curves(followed);
     let found = diagram.unfolding();
-    found.map(|(at, point)| ([at.loops, at.n], straighten(&diagram, point, &near(point), &etas()))).collect()
+    let curves = |at, point| {
+        let points = straighten(&diagram, (at, point), &near(point), &etas());
+        points.chunk_by(|a, b| a.arc == b.arc).map(<[_]>::to_vec).collect()
+    };
+    found.map(|(at, point)| ([at.loops, at.n], curves(at, point))).collect()
 }
 
-fn assert_known(Estimate { value, error }: Estimate, wanted: f64, digits: f64, place: &dyn core::fmt::Debug) {
+/// The error of a distance.
+fn error(point: &StraightenedPoint) -> f64 {
+    point.error * point.distance.abs()
+}
+
+fn assert_known(point: &StraightenedPoint, wanted: f64, digits: f64, place: &dyn core::fmt::Debug) {
+    let (value, error) = (point.distance, error(point));
     assert!((value - wanted).abs() <= error, "{place:?}: {value} +- {error:.1e} instead of {wanted}");
     assert!((value / wanted - 1.0).abs() <= digits, "{place:?}: {value} instead of {wanted}");
 }
@@ -94,7 +104,8 @@ fn distances_of_the_linear_oscillators_curves_have_ten_digits_from_1e_minus_9_to
     for (resonance, curves) in straightened(&closed_form(), &scope) {
         let known = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
         let known = known.resonance(resonance[0], resonance[1]).unwrap();
-        for StraightCurve { kind, loops, coefficient, points } in curves {
+        for points in curves {
+            let StraightenedPoint { kind, loops, limit: coefficient, .. } = points[0];
             if loops != resonance[0] {
                 continue;
             }
@@ -107,7 +118,7 @@ fn distances_of_the_linear_oscillators_curves_have_ten_digits_from_1e_minus_9_to
             assert_eq!(points[0].eta.abs(), 1e-9);
             for point in steps {
                 let at = (resonance, kind, point.eta);
-                assert_known(point.distance, wanted(kind, resonance, point.eta), 1e-10, &at);
+                assert_known(point, wanted(kind, resonance, point.eta), 1e-10, &at);
                 compared += 1;
             }
         }
@@ -120,10 +131,11 @@ fn curves_of_a_nonlinear_oscillator_go_to_theorys_constants_with_as_many_digits_
     let (oscillator, scope) = example("duffing.toml");
     let all = straightened(&oscillator, &scope);
     let (mut own, mut grazing) = (0, 0);
-    for (resonance, StraightCurve { kind, loops, coefficient, points }) in all
+    for (resonance, points) in all
         .into_iter()
         .flat_map(|(resonance, curves)| curves.into_iter().map(move |curve| (resonance, curve)))
     {
+        let StraightenedPoint { kind, loops, limit: coefficient, .. } = points[0];
         let place = (resonance, kind, loops);
         own += usize::from(loops == resonance[0]);
         // GZ curves belong to two loops at a resonance of one.
@@ -131,14 +143,14 @@ fn curves_of_a_nonlinear_oscillator_go_to_theorys_constants_with_as_many_digits_
         let nearest = &points[..points.len().min(7)];
         assert_eq!(nearest[0].eta.abs(), 1e-9, "{place:?}");
         // Theory's constant has an error of its own, from second derivatives of integrated motion.
-        let limit = nearest[0].distance.value;
+        let limit = nearest[0].distance;
         assert!((limit / coefficient - 1.0).abs() < 2e-5, "{place:?}: {limit} {coefficient}");
-        let departure = |point: &StraightPoint| point.distance.value / limit - 1.0;
+        let departure = |point: &StraightenedPoint| point.distance / limit - 1.0;
         let from = nearest[0].eta;
         let slope = departure(&nearest[6]) / (nearest[6].eta - from);
         for point in nearest {
             // The remainder beyond the constant is linear in η, up to the error at every η.
-            let error = 2.0 * point.distance.error / coefficient.abs();
+            let error = 2.0 * error(point) / coefficient.abs();
             let bent = 1e-2 * (slope * point.eta).abs();
             let rest = (departure(point) - slope * (point.eta - from)).abs();
             assert!(rest <= error + bent + 1e-9, "{place:?} {point:?}: {rest:e}, {error:e}");
@@ -147,10 +159,10 @@ fn curves_of_a_nonlinear_oscillator_go_to_theorys_constants_with_as_many_digits_
         // No jump where differences of places take over from interpolants.
         let [_, inner @ ..] = &points[..] else { panic!("{place:?}") };
         for three in inner.windows(3).take_while(|three| three[2].eta.abs() < 1e-3) {
-            let [a, b, c] = [0, 1, 2].map(|k| three[k].distance.value);
+            let [a, b, c] = [0, 1, 2].map(|k| three[k].distance);
             let between = (three[1].eta - three[0].eta) / (three[2].eta - three[0].eta);
             let chord = a + (c - a) * between;
-            assert!((b - chord).abs() <= 0.5 * (c - a).abs() + 4.0 * three[1].distance.error, "{place:?}");
+            assert!((b - chord).abs() <= 0.5 * (c - a).abs() + 4.0 * error(&three[1]), "{place:?}");
         }
     }
     assert!(own >= 12 && grazing >= 3, "{own} {grazing}");
@@ -160,15 +172,14 @@ fn curves_of_a_nonlinear_oscillator_go_to_theorys_constants_with_as_many_digits_
 fn curves_of_two_loops_leave_a_one_loop_resonance_as_theory_has_it_from_1e_minus_9_on() {
     let mut compared = 0;
     for (resonance, curves) in straightened(&closed_form(), &scope([0.3, 0.8], [0.6, 0.75], &[1, 2])) {
-        for StraightCurve { kind, coefficient, points, .. } in
-            curves.into_iter().filter(|curve| curve.loops > resonance[0])
-        {
+        for points in curves.into_iter().filter(|curve| curve[0].loops > resonance[0]) {
+            let StraightenedPoint { kind, distance, limit: coefficient, .. } = points[0];
             compared += 1;
-            assert!((points[0].distance.value / coefficient - 1.0).abs() < 1e-6, "{resonance:?} {kind:?}");
+            assert!((distance / coefficient - 1.0).abs() < 1e-6, "{resonance:?} {kind:?}");
             // Linear in η: a tenth at a tenth of it.
             let [near, far] = [1e-7, 1e-6].map(|eta: f64| {
                 let point = points.iter().find(|point| point.eta.abs() == eta).unwrap();
-                point.distance.value / coefficient - 1.0
+                point.distance / coefficient - 1.0
             });
             assert!((far / near - 10.0).abs() < 0.05, "{resonance:?} {kind:?}: {near:e} {far:e}");
         }
