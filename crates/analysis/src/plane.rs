@@ -7,13 +7,13 @@ use grazing_model::phase::centred;
 use grazing_model::smooth::Units;
 use grazing_results::plane::{
     MagnifiedPanel, MagnifiedPoint, OnCurve, OwnPoint, PlaneDiagram, PlanePoint, RegionVertex, Section,
-    SpecialPoint, StraightenedCurves, StraightenedPoint, Vertex,
+    SpecialPoint, StraightenedCurves, StraightenedPoint,
 };
 use grazing_results::{Dimensioned, Frame, Names, Stability, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::levels::{Level, LevelCurve};
-use grazing_unfold::regions::{Doubt, Region};
+use grazing_unfold::regions::Region;
 
 /// The names of the two parameters, which head their columns, and the units of the tables, to which
 /// dimensionless results are converted.
@@ -249,25 +249,12 @@ fn regions_of(axes: &Axes, diagram: &Diagram) -> Vec<RegionVertex> {
 
 /// Regions of stability, vertex by vertex.
 pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
-    let mut rows = Vec::new();
-    for (number, region) in (1..).zip(regions) {
-        let (kind, loops, n) = (region.kind(), region.loops, region.n);
-        let reason = region.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
-        for (ring, vertices) in (0..).zip(&region.rings) {
-            rows.extend(vertices.iter().map(|&[primary, secondary]| {
-                let row = RegionVertex {
-                    region: number,
-                    kind,
-                    loops,
-                    wall: 0,
-                    n,
-                    at: Vertex { secondary, primary, ring, reason: reason.clone() },
-                };
-                row.with_dimensions(&axes.units)
-            }));
-        }
-    }
-    rows
+    let rows = (1..).zip(regions).flat_map(|(number, region)| {
+        let &Region { loops, n, .. } = region;
+        let row = move |at| RegionVertex { region: number, kind: region.kind(), loops, wall: 0, n, at };
+        region.vertices().map(row)
+    });
+    rows.map(|row| row.with_dimensions(&axes.units)).collect()
 }
 
 /// Descriptions of resonances that could not be located, and of those whose curves could not be followed.

@@ -6,11 +6,9 @@ use grazing_model::smooth::Units;
 use grazing_results::Dimensioned;
 use grazing_results::plane::{
     OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
-    Vertex,
 };
 use grazing_unfold::curves::DiagramCurve;
 use grazing_unfold::generations::{BaseName, LaterResonance};
-use grazing_unfold::regions::Doubt;
 use grazing_unfold::sequences::{Sequence, Sequences};
 
 use crate::plane::{on_curve, with_ends};
@@ -115,24 +113,17 @@ fn own_point(of: &Sequence, wall: u32, PlanePoint { kind, at, .. }: PlanePoint) 
 
 /// The regions of solutions with several impacts, vertex by vertex.
 fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units, wall: u32) -> Vec<SequenceVertex> {
-    let mut rows = Vec::new();
     let regions = all.flat_map(|solutions| solutions.regions.iter().map(move |region| (solutions, region)));
-    for (number, (of, region)) in (1..).zip(regions) {
+    let rows = (1..).zip(regions).flat_map(|(number, (of, region))| {
         let kind = if region.doubt.is_some() { RegionKind::Undecided } else { RegionKind::SeveralImpacts };
-        let reason = region.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
-        for (ring, vertices) in (0..).zip(&region.rings) {
-            rows.extend(vertices.iter().map(|&[primary, secondary]| {
-                SequenceVertex {
-                    region: number,
-                    kind,
-                    impacts: of.impacts as u32,
-                    periods: of.periods,
-                    walls: walls(of, wall),
-                    at: Vertex { secondary, primary, ring, reason: reason.clone() },
-                }
-                .with_dimensions(units)
-            }));
-        }
-    }
-    rows
+        region.vertices().map(move |at| SequenceVertex {
+            region: number,
+            kind,
+            impacts: of.impacts as u32,
+            periods: of.periods,
+            walls: walls(of, wall),
+            at,
+        })
+    });
+    rows.map(|row| row.with_dimensions(units)).collect()
 }

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use grazing_continuation::curve::Window;
-use grazing_results::plane::RegionKind;
+use grazing_results::plane::{RegionKind, Vertex};
 use grazing_results::span;
 
 use crate::faces;
@@ -88,6 +88,19 @@ impl Region {
             (None, 0) => RegionKind::NonImpacting,
             (None, _) => RegionKind::Mps,
         }
+    }
+
+    /// The vertices, one ring after the other.
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
+        let reason = self.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
+        let rings = (0..).zip(&self.rings);
+        let all = rings.flat_map(|(ring, vertices)| vertices.iter().map(move |at| (ring, *at)));
+        all.map(move |(ring, [primary, secondary])| Vertex {
+            secondary,
+            primary,
+            ring,
+            reason: reason.clone(),
+        })
     }
 
     /// The parts of the region inside a window.
