@@ -2,7 +2,6 @@
 
 mod events;
 
-use core::array;
 use core::ops::ControlFlow;
 
 use grazing_model::ImpactOscillator;
@@ -10,6 +9,7 @@ use grazing_model::maps::MapError;
 use grazing_model::smooth::Purpose;
 
 use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, StepControl, back_at};
+use crate::bifurcation::Bifurcation;
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{EventTimes, Multipliers, PeriodicSolution, Unknowns, parameters, unknown};
@@ -17,7 +17,7 @@ use crate::tolerances::{
     self, AGAIN, FORGOTTEN, LOST_POINTS, MOST_OUT_OF_SIGHT, MOST_SHORT_STEPS, NO_VELOCITY, ON_TWO_CURVES,
     OUT_OF_SIGHT, SHORT_STEP, SOUNDED, VIOLENT,
 };
-use events::{CurveStation, EVENTS, INADMISSIBLE, Signs, Step, TORUS, changes, signs, vanishing};
+use events::{CurveStation, EVENTS, Signs, Step, changes, signs, vanishing};
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
     /// Follows the curve from `start`, in the direction closer to `direction`, until it ends.
@@ -111,7 +111,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
             |point: &CurvePoint| self.equations.solution_and_stability(&point.solution.unknowns).1;
         let here = stability(at);
         let [before, after] = [stability(before?), stability(after?)];
-        let vanishes = |event: &Condition| {
+        let vanishes = |event: &Bifurcation| {
             let [Some(before), Some(here), Some(after)] =
                 [&before, &here, &after].map(|stability| vanishing(*event, stability))
             else {
@@ -119,7 +119,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
             };
             here.abs() <= ON_TWO_CURVES && before * after < 0.0
         };
-        EVENTS.into_iter().find(vanishes)
+        EVENTS.into_iter().find(vanishes).map(Bifurcation::condition)
     }
 
     /// Whether the curve is a one-parameter branch.
@@ -287,8 +287,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         }
         let (mut solution, mut now) = self.solution_and_signs(&after);
         if let Some(mut past) = self.signs {
-            if past[INADMISSIBLE].is_none() && now[INADMISSIBLE].is_some() {
-                past[INADMISSIBLE] = Some(equations.solution(&before.point).touches());
+            if past[Bifurcation::Grazing].is_none() && now[Bifurcation::Grazing].is_some() {
+                past[Bifurcation::Grazing] = Some(equations.solution(&before.point).touches());
             }
             if self.matters(past, now, &solution) {
                 let located = self.locate_events(&step, past, now, &solution);
@@ -300,7 +300,8 @@ impl<O: ImpactOscillator> Follower<'_, O> {
             }
         }
         // What has no sign here has that of the points before.
-        now[TORUS] = now[TORUS].or(self.signs.and_then(|past| past[TORUS]));
+        let past = self.signs.and_then(|past| past[Bifurcation::Torus]);
+        now[Bifurcation::Torus] = now[Bifurcation::Torus].or(past);
         self.signs = Some(now);
         if let Some(start) = self.back_at_the_start(&step) {
             self.curve.points.push(start);
@@ -324,7 +325,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
                 let with_maxima = before || stability.multipliers.stable();
                 let solution = equations.sketch(&station.point, stability.multipliers, with_maxima);
                 let mut signs = signs(*condition, &stability, &solution);
-                signs[INADMISSIBLE] = signs[INADMISSIBLE].filter(|_| with_maxima);
+                signs[Bifurcation::Grazing] = signs[Bifurcation::Grazing].filter(|_| with_maxima);
                 (solution, signs)
             }
             None => {
@@ -456,8 +457,10 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         let Some(past) = self.signs else { return ControlFlow::Continue(()) };
         let (_, stability) = self.followed.equations.solution_and_stability(&after.point);
         let there = signs(self.followed.condition, &stability, end);
-        let of_multiplier = |event: usize| matches!(EVENTS[event], Condition::Multiplier(_));
-        let now = array::from_fn(|event| if of_multiplier(event) { there[event] } else { past[event] });
+        let mut now = past;
+        for event in [Bifurcation::SaddleNode, Bifurcation::PeriodDoubling] {
+            now[event] = there[event];
+        }
         if !self.matters(past, now, end) {
             return ControlFlow::Continue(());
         }

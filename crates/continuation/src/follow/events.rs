@@ -1,5 +1,7 @@
 //! Events along a curve: the functions that vanish at bifurcations, and their zeros on a step.
 
+use core::ops::{Index, IndexMut};
+
 use grazing_model::ImpactOscillator;
 
 use crate::arclength::{Continuation, Station, StepControl};
@@ -13,22 +15,33 @@ use crate::tolerances::{
 
 pub(super) type CurveStation = Station<Unknowns, EventTimes>;
 
-/// The events that can occur along a curve.
-pub(super) const EVENTS: [Condition; 5] = [
-    Bifurcation::SaddleNode.condition(),
-    Bifurcation::PeriodDoubling.condition(),
-    Bifurcation::Grazing.condition(),
-    Bifurcation::Torus.condition(),
-    Bifurcation::Pitchfork.condition(),
+/// The events that can occur along a curve; `Grazing` is that of solutions with impacts and without.
+pub(super) const EVENTS: [Bifurcation; 5] = [
+    Bifurcation::SaddleNode,
+    Bifurcation::PeriodDoubling,
+    Bifurcation::Grazing,
+    Bifurcation::Torus,
+    Bifurcation::Pitchfork,
 ];
-/// The index of admissibility in [`Signs`].
-pub(super) const INADMISSIBLE: usize = 2;
 
-/// The index of a product of multipliers of 1 in [`Signs`].
-pub(super) const TORUS: usize = 3;
+/// By kind, the signs of the functions that vanish at the [`EVENTS`], of which that of `Grazing` is whether a maximum is
+/// beyond the wall; `None` where they were not computed, or are not known.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Signs([Option<bool>; Bifurcation::ALL.len()]);
 
-/// Signs of the functions that vanish at the [`EVENTS`]; `None` where they were not computed, or are not known.
-pub(super) type Signs = [Option<bool>; EVENTS.len()];
+impl Index<Bifurcation> for Signs {
+    type Output = Option<bool>;
+
+    fn index(&self, event: Bifurcation) -> &Option<bool> {
+        &self.0[event as usize]
+    }
+}
+
+impl IndexMut<Bifurcation> for Signs {
+    fn index_mut(&mut self, event: Bifurcation) -> &mut Option<bool> {
+        &mut self.0[event as usize]
+    }
+}
 
 /// Largest number of maxima that may reach the wall one after the other within a step.
 const MAXIMA: usize = 16;
@@ -37,13 +50,13 @@ const MAXIMA: usize = 16;
 const BESIDE_GRAZING: f64 = 1e-6;
 
 /// The function that vanishes at a bifurcation detected by multipliers.
-pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> {
+pub(super) fn vanishing(event: Bifurcation, stability: &Stability) -> Option<f64> {
     match event {
-        Condition::SADDLE_NODE => Some(stability.saddle_node),
-        Condition::PERIOD_DOUBLING => Some(stability.period_doubling),
-        Condition::TORUS => Some(stability.torus),
-        Condition::SymmetryBreaking => stability.pitchfork,
-        _ => None,
+        Bifurcation::SaddleNode => Some(stability.saddle_node),
+        Bifurcation::PeriodDoubling => Some(stability.period_doubling),
+        Bifurcation::Torus => Some(stability.torus),
+        Bifurcation::Pitchfork => stability.pitchfork,
+        Bifurcation::NonImpactingGrazing | Bifurcation::Grazing => None,
     }
 }
 
@@ -52,18 +65,22 @@ pub(super) fn vanishing(event: Condition, stability: &Stability) -> Option<f64> 
 /// −1. Where the product of the multipliers is 1 but for rounding, as it is everywhere without damping, its
 /// deviation has no sign.
 pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
-    EVENTS.map(|event| match event {
-        Condition::InteriorGrazing => Some(solution.touches()),
-        _ if along.fixes_a_multiplier() || event == along => None,
-        Condition::TORUS if (stability.multipliers.determinant - 1.0).abs() <= STABILITY => None,
-        _ => vanishing(event, stability).map(|value| value > 0.0),
-    })
+    let mut signs = Signs::default();
+    for event in EVENTS {
+        signs[event] = match event {
+            Bifurcation::Grazing => Some(solution.touches()),
+            _ if along.fixes_a_multiplier() || event.condition() == along => None,
+            Bifurcation::Torus if (stability.multipliers.determinant - 1.0).abs() <= STABILITY => None,
+            _ => vanishing(event, stability).map(|value| value > 0.0),
+        };
+    }
+    signs
 }
 
-/// The indices of the [`EVENTS`] at which two sets of signs differ.
-pub(super) fn changes(past: Signs, now: Signs) -> impl Iterator<Item = usize> {
+/// The [`EVENTS`] at which two sets of signs differ.
+pub(super) fn changes(past: Signs, now: Signs) -> impl Iterator<Item = Bifurcation> {
     let differ = |a: Option<bool>, b: Option<bool>| a.is_some_and(|a| b.is_some_and(|b| a != b));
-    (0..EVENTS.len()).filter(move |event| differ(past[*event], now[*event]))
+    EVENTS.into_iter().filter(move |event| differ(past[*event], now[*event]))
 }
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
@@ -86,7 +103,7 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
             // Where another maximum touches the wall its sign is arbitrary.
             along if along.fixes_a_multiplier() => at_grazing || solution.ceiling().abs() > TOUCHES_TOO,
             _ => {
-                let others = EVENTS.iter().filter(|event| **event != self.condition);
+                let others = EVENTS.iter().filter(|event| event.condition() != self.condition);
                 let vanishing = others.filter_map(|event| vanishing(*event, &stability));
                 vanishing.map(f64::abs).fold(f64::INFINITY, f64::min) > ON_TWO_CURVES
             }
@@ -115,7 +132,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
     ) -> Result<Vec<Event>, CurveEnd> {
         let mut located = Vec::new();
         for event in changes(past, now) {
-            let condition = EVENTS[event];
+            let condition = event.condition();
             let found = match self.event(condition, beyond) {
                 Ok(found) if self.is_trivial(condition, &found.0) => {
                     Ok(self.event_closer(event, past[event]).unwrap_or(found))
@@ -186,7 +203,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
 
     /// Locates an event that Newton's method does not find from the middle of the step, by cutting
     /// the step about it repeatedly.
-    fn event_closer(&self, event: usize, past: Option<bool>) -> Option<(PeriodicSolution, EventTimes)> {
+    fn event_closer(&self, event: Bifurcation, past: Option<bool>) -> Option<(PeriodicSolution, EventTimes)> {
         let equations = &self.followed.equations;
         let comes_later = |middle: &CurveStation| {
             let (solution, stability) = equations.solution_and_stability(&middle.point);
@@ -194,8 +211,8 @@ impl<O: ImpactOscillator> Step<'_, O> {
         };
         self.cut(comes_later, |part| {
             let beyond = equations.solution(&part.after.point);
-            let found = part.event(EVENTS[event], &beyond).ok();
-            found.filter(|(solution, _)| !self.is_trivial(EVENTS[event], solution))
+            let found = part.event(event.condition(), &beyond).ok();
+            found.filter(|(solution, _)| !self.is_trivial(event.condition(), solution))
         })
     }
 
