@@ -2,38 +2,95 @@
 
 use crate::locate::Condition;
 
-/// A bifurcation of codimension one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Bifurcation {
-    /// Grazing of the non-impacting solution: its highest point touches the wall.
-    NonImpactingGrazing,
-    /// Saddle-node: a multiplier is 1.
-    SaddleNode,
-    /// Period doubling: a multiplier is −1.
-    PeriodDoubling,
-    /// Grazing of an MPS: a maximum between two impacts touches the wall.
-    Grazing,
-    /// Torus (Neimark-Sacker): a pair of complex multipliers has absolute value 1.
-    ///
-    /// The product D of the multipliers is 1 there, so there is none where motion contracts areas:
-    /// for the paper's oscillator D is ε² e^{−4πζp/ω}.
-    Torus,
-    /// Pitchfork of symmetric motion without impacts: a multiplier is 1 without a fold, and two
-    /// motions begin that are each other's images.
-    Pitchfork,
+/// Declares all kinds of a bifurcation, each with its row.
+macro_rules! kinds {
+    ($(#[$meta:meta])* $name:ident: $row:ident {
+        $($(#[$about:meta])* $kind:ident { $($field:ident: $value:expr,)+ })+
+    }) => {
+        $(#[$meta])*
+        pub enum $name { $($(#[$about])* $kind,)+ }
+
+        impl $name {
+            /// All kinds.
+            pub const ALL: [Self; [$(stringify!($kind)),+].len()] = [$(Self::$kind),+];
+
+            const fn row(self) -> $row {
+                match self { $(Self::$kind => $row { $($field: $value,)+ },)+ }
+            }
+
+            /// The name, such as `SN`; two that meet as `SN-GZ`.
+            pub const fn name(self) -> &'static str {
+                self.row().name
+            }
+        }
+    };
+}
+
+/// The row of a bifurcation of codimension one.
+struct CodimensionOneRow {
+    name: &'static str,
+    /// Other names, in small letters and without blanks and hyphens.
+    other_names: &'static [&'static str],
+    /// The condition that holds at it.
+    condition: Condition,
+    /// Whether it is of solutions with impacts, or of those without; `None` if it may be of either.
+    impacts: Option<bool>,
+}
+
+kinds! {
+    /// A bifurcation of codimension one.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    Bifurcation: CodimensionOneRow {
+        /// Grazing of the non-impacting solution: its highest point touches the wall.
+        NonImpactingGrazing {
+            name: "graz",
+            other_names: &["nonimpactinggrazing"],
+            condition: Condition::InteriorGrazing,
+            impacts: Some(false),
+        }
+        /// Saddle-node: a multiplier is 1.
+        SaddleNode {
+            name: "SN",
+            other_names: &["saddlenode", "fold", "lp", "lpc", "limitpoint", "limitpointofcycles", "turningpoint"],
+            condition: Condition::SADDLE_NODE,
+            impacts: None,
+        }
+        /// Period doubling: a multiplier is −1.
+        PeriodDoubling {
+            name: "PD",
+            other_names: &["perioddoubling", "flip"],
+            condition: Condition::PERIOD_DOUBLING,
+            impacts: None,
+        }
+        /// Grazing of an MPS: a maximum between two impacts touches the wall.
+        Grazing {
+            name: "GZ",
+            other_names: &["interiorgrazing"],
+            condition: Condition::InteriorGrazing,
+            impacts: Some(true),
+        }
+        /// Torus (Neimark-Sacker): a pair of complex multipliers has absolute value 1.
+        ///
+        /// The product D of the multipliers is 1 there, so there is none where motion contracts areas:
+        /// for the paper's oscillator D is ε² e^{−4πζp/ω}.
+        Torus {
+            name: "NS",
+            other_names: &["torus", "tr", "neimarksacker", "naimarksacker", "secondaryhopf"],
+            condition: Condition::TORUS,
+            impacts: None,
+        }
+        /// Pitchfork of symmetric motion without impacts: a multiplier is 1 without a fold, and two
+        /// motions begin that are each other's images.
+        Pitchfork {
+            name: "PF",
+            other_names: &["pitchfork", "symmetrybreaking"],
+            condition: Condition::SymmetryBreaking,
+            impacts: None,
+        }
+    }
 }
 
 impl Bifurcation {
-    /// All bifurcations of codimension one.
-    pub const ALL: [Self; 6] = [
-        Self::NonImpactingGrazing,
-        Self::SaddleNode,
-        Self::PeriodDoubling,
-        Self::Grazing,
-        Self::Torus,
-        Self::Pitchfork,
-    ];
-
     /// The names of all bifurcations, as messages list them.
     pub const NAMES: &str = "graz, SN, PD, GZ, NS or PF";
 
@@ -49,129 +106,75 @@ impl Bifurcation {
         let plain = |word: &str| word.chars().filter(|letter| !" -_".contains(*letter)).collect::<String>();
         let word = plain(word).to_ascii_lowercase();
         Self::ALL.into_iter().find(|kind| {
-            word == kind.name().to_ascii_lowercase() || kind.other_names().contains(&word.as_str())
+            word == kind.name().to_ascii_lowercase() || kind.row().other_names.contains(&word.as_str())
         })
-    }
-
-    /// Other names, in small letters and without blanks and hyphens.
-    const fn other_names(self) -> &'static [&'static str] {
-        match self {
-            Self::NonImpactingGrazing => &["nonimpactinggrazing"],
-            Self::SaddleNode => {
-                &["saddlenode", "fold", "lp", "lpc", "limitpoint", "limitpointofcycles", "turningpoint"]
-            }
-            Self::PeriodDoubling => &["perioddoubling", "flip"],
-            Self::Grazing => &["interiorgrazing"],
-            Self::Torus => &["torus", "tr", "neimarksacker", "naimarksacker", "secondaryhopf"],
-            Self::Pitchfork => &["pitchfork", "symmetrybreaking"],
-        }
     }
 
     /// The bifurcation at which solutions with p loops (0 without impacts) satisfy a condition;
     /// `None` if it is no bifurcation.
     pub fn of(condition: Condition, loops: u32) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| {
-            kind.condition() == condition
-                && (*kind != Self::Grazing || loops > 0)
-                && (*kind != Self::NonImpactingGrazing || loops == 0)
+            let row = kind.row();
+            row.condition == condition && row.impacts.is_none_or(|impacts| impacts == (loops > 0))
         })
     }
 
     /// The condition that holds at the bifurcation.
     pub const fn condition(self) -> Condition {
-        match self {
-            Self::SaddleNode => Condition::SADDLE_NODE,
-            Self::PeriodDoubling => Condition::PERIOD_DOUBLING,
-            Self::NonImpactingGrazing | Self::Grazing => Condition::InteriorGrazing,
-            Self::Torus => Condition::TORUS,
-            Self::Pitchfork => Condition::SymmetryBreaking,
-        }
-    }
-
-    /// The name: `graz`, `SN`, `PD`, `GZ`, `NS` or `PF`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NonImpactingGrazing => "graz",
-            Self::SaddleNode => "SN",
-            Self::PeriodDoubling => "PD",
-            Self::Grazing => "GZ",
-            Self::Torus => "NS",
-            Self::Pitchfork => "PF",
-        }
+        self.row().condition
     }
 }
 
-/// A bifurcation of codimension two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-pub enum CodimensionTwo {
-    /// A resonance on the grazing curve of the non-impacting solution, from which SN and PD curves
-    /// leave.
-    Resonance,
-    /// An SN and a GZ curve meet.
-    SaddleNodeGrazing,
-    /// A PD and a GZ curve meet.
-    PeriodDoublingGrazing,
-    /// Two GZ curves meet: two maxima touch the wall.
-    GrazingGrazing,
-    /// An SN curve turns back.
-    Cusp,
-    /// An NS curve ends on an SN curve: both multipliers are 1.
-    SaddleNodeTorus,
-    /// An NS curve ends on a PD curve: both multipliers are −1.
-    PeriodDoublingTorus,
-    /// An NS curve ends on a PF curve: both multipliers are 1, and over half a period −1.
-    PitchforkTorus,
-    /// An NS and a GZ curve meet.
-    TorusGrazing,
-    /// A PF and a GZ curve meet.
-    PitchforkGrazing,
+/// The row of a bifurcation of codimension two.
+struct CodimensionTwoRow {
+    name: &'static str,
+    /// The curves that meet there.
+    curves: [Bifurcation; 2],
+}
+
+kinds! {
+    /// A bifurcation of codimension two.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+    CodimensionTwo: CodimensionTwoRow {
+        /// A resonance on the grazing curve of the non-impacting solution, from which SN and PD curves
+        /// leave.
+        Resonance { name: "resonance", curves: [Bifurcation::SaddleNode, Bifurcation::PeriodDoubling], }
+        /// An SN and a GZ curve meet.
+        SaddleNodeGrazing { name: "SN-GZ", curves: [Bifurcation::SaddleNode, Bifurcation::Grazing], }
+        /// A PD and a GZ curve meet.
+        PeriodDoublingGrazing { name: "PD-GZ", curves: [Bifurcation::PeriodDoubling, Bifurcation::Grazing], }
+        /// Two GZ curves meet: two maxima touch the wall.
+        GrazingGrazing { name: "GZ-GZ", curves: [Bifurcation::Grazing, Bifurcation::Grazing], }
+        /// An SN curve turns back.
+        Cusp { name: "cusp", curves: [Bifurcation::SaddleNode, Bifurcation::SaddleNode], }
+        /// An NS curve ends on an SN curve: both multipliers are 1.
+        SaddleNodeTorus { name: "SN-NS", curves: [Bifurcation::SaddleNode, Bifurcation::Torus], }
+        /// An NS curve ends on a PD curve: both multipliers are −1.
+        PeriodDoublingTorus { name: "PD-NS", curves: [Bifurcation::PeriodDoubling, Bifurcation::Torus], }
+        /// An NS curve ends on a PF curve: both multipliers are 1, and over half a period −1.
+        PitchforkTorus { name: "PF-NS", curves: [Bifurcation::Pitchfork, Bifurcation::Torus], }
+        /// An NS and a GZ curve meet.
+        TorusGrazing { name: "NS-GZ", curves: [Bifurcation::Torus, Bifurcation::Grazing], }
+        /// A PF and a GZ curve meet.
+        PitchforkGrazing { name: "PF-GZ", curves: [Bifurcation::Pitchfork, Bifurcation::Grazing], }
+    }
 }
 
 impl CodimensionTwo {
-    /// All bifurcations of codimension two.
-    pub const ALL: [Self; 10] = [
-        Self::Resonance,
-        Self::SaddleNodeGrazing,
-        Self::PeriodDoublingGrazing,
-        Self::GrazingGrazing,
-        Self::Cusp,
-        Self::SaddleNodeTorus,
-        Self::PeriodDoublingTorus,
-        Self::PitchforkTorus,
-        Self::TorusGrazing,
-        Self::PitchforkGrazing,
-    ];
+    /// The curves that meet there, in the order of the name; at a cusp, the two branches of one curve.
+    pub const fn curves(self) -> [Bifurcation; 2] {
+        self.row().curves
+    }
 
     /// The bifurcation at which two curves meet, at least one of which is a GZ or an NS curve.
     pub fn of_meeting(one: Bifurcation, other: Bifurcation) -> Self {
-        use Bifurcation::{PeriodDoubling, Pitchfork, SaddleNode, Torus};
-        match (one, other) {
-            (SaddleNode, Torus) | (Torus, SaddleNode) => Self::SaddleNodeTorus,
-            (PeriodDoubling, Torus) | (Torus, PeriodDoubling) => Self::PeriodDoublingTorus,
-            (Pitchfork, Torus) | (Torus, Pitchfork) => Self::PitchforkTorus,
-            (Torus, _) | (_, Torus) => Self::TorusGrazing,
-            (SaddleNode, _) | (_, SaddleNode) => Self::SaddleNodeGrazing,
-            (PeriodDoubling, _) | (_, PeriodDoubling) => Self::PeriodDoublingGrazing,
-            (Pitchfork, _) | (_, Pitchfork) => Self::PitchforkGrazing,
-            _ => Self::GrazingGrazing,
-        }
-    }
-
-    /// The name: `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ`, `cusp`, `SN-NS`, `PD-NS`, `PF-NS`,
-    /// `NS-GZ` or `PF-GZ`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Resonance => "resonance",
-            Self::SaddleNodeGrazing => "SN-GZ",
-            Self::PeriodDoublingGrazing => "PD-GZ",
-            Self::GrazingGrazing => "GZ-GZ",
-            Self::Cusp => "cusp",
-            Self::SaddleNodeTorus => "SN-NS",
-            Self::PeriodDoublingTorus => "PD-NS",
-            Self::PitchforkTorus => "PF-NS",
-            Self::TorusGrazing => "NS-GZ",
-            Self::PitchforkGrazing => "PF-GZ",
-        }
+        // Motion without impacts grazes as any other does.
+        let [one, other] = [one, other].map(|kind| match kind {
+            Bifurcation::NonImpactingGrazing => Bifurcation::Grazing,
+            _ => kind,
+        });
+        let meet = |point: &Self| [[one, other], [other, one]].contains(&point.curves());
+        Self::ALL.into_iter().find(meet).unwrap_or(Self::GrazingGrazing)
     }
 }
 

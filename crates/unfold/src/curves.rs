@@ -236,14 +236,9 @@ impl Net {
         {
             self.grown += 1;
             let kind = Bifurcation::of(event.condition, loops);
-            // The other curve passes through these points.
-            let passed = [
-                CodimensionTwo::Cusp,
-                CodimensionTwo::SaddleNodeTorus,
-                CodimensionTwo::PeriodDoublingTorus,
-                CodimensionTwo::PitchforkTorus,
-            ];
-            let Some(kind) = kind.filter(|_| !passed.contains(&meeting)) else { continue };
+            // Where none grazes, the other curve passes through the point.
+            let grazes = meeting.curves().contains(&Bifurcation::Grazing);
+            let Some(kind) = kind.filter(|_| grazes) else { continue };
             let corner = event.solution.unknowns.clone();
             let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))

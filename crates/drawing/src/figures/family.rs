@@ -216,17 +216,8 @@ fn points(
         if !panel.frame.contains((value, row.secondary)) {
             continue;
         }
-        let kind = match row.kind {
-            CodimensionTwo::SaddleNodeGrazing | CodimensionTwo::Cusp => Bifurcation::SaddleNode,
-            CodimensionTwo::PeriodDoublingGrazing => Bifurcation::PeriodDoubling,
-            CodimensionTwo::GrazingGrazing | CodimensionTwo::Resonance | CodimensionTwo::PitchforkGrazing => {
-                Bifurcation::Grazing
-            }
-            CodimensionTwo::SaddleNodeTorus
-            | CodimensionTwo::PeriodDoublingTorus
-            | CodimensionTwo::PitchforkTorus
-            | CodimensionTwo::TorusGrazing => Bifurcation::Torus,
-        };
+        let curves = row.kind.curves();
+        let kind = if curves.contains(&Bifurcation::Torus) { Bifurcation::Torus } else { curves[0] };
         let place = (value, row.secondary);
         let (spot, paint) = (panel.spot(place), Paint::opaque(pale(pen(kind).colour, 0.35)));
         panel.draw_series([Disc::new(place, 0.7 * POINT_RADIUS, paint, Some(POINT_RIM))])?;

@@ -1,12 +1,12 @@
 //! The lines that cut the window into faces.
 
-use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_continuation::mps::parameters;
 use nalgebra::Vector2;
 
 use super::Survey;
-use crate::curves::DiagramCurve;
+use crate::curves::{CodimensionTwoPoint, DiagramCurve};
 use crate::faces::Point;
 use crate::grazing::GrazingState;
 use crate::slices::near_chord;
@@ -48,12 +48,9 @@ impl Survey<'_> {
             lines.extend(self.forgotten());
             self.meet_doublings(&mut lines);
         }
-        let on_other = [
-            CodimensionTwo::SaddleNodeTorus,
-            CodimensionTwo::PeriodDoublingTorus,
-            CodimensionTwo::PitchforkTorus,
-        ];
-        for corner in self.net.meetings.iter().filter(|corner| on_other.contains(&corner.kind)) {
+        // An NS curve ends there on another one.
+        let on_other = |corner: &&CodimensionTwoPoint| corner.kind.curves()[1] == Bifurcation::Torus;
+        for corner in self.net.meetings.iter().filter(on_other) {
             meet(&mut lines, parameters(&corner.unknowns()), self.scope.window);
         }
         lines
