@@ -20,7 +20,7 @@ const PURE: f64 = 0.1;
 const STRETCH: f64 = 1e-3;
 /// The accuracy of drawn curves in η, as a fraction of its range: a slice that meets a curve beside its highest point
 /// crosses it twice, and its chords once or not at all.
-const BESIDE: f64 = 1e-5;
+const ACCURACY_OF_CURVES: f64 = 1e-5;
 
 /// A face and its verdict.
 pub(super) struct FaceVerdict {
@@ -111,7 +111,7 @@ impl Judge {
     /// Whether that is so for the chords of a face beside a slice as well, to both sides.
     fn stays_mixed(&self, slice: &SliceStability, face: &Face, [from, to]: [f64; 2]) -> bool {
         let height = self.window.widths()[1];
-        [-BESIDE, BESIDE].into_iter().all(|aside| {
+        [-ACCURACY_OF_CURVES, ACCURACY_OF_CURVES].into_iter().all(|aside| {
             let beside = chords(face, slice.secondary + aside * height).into_iter();
             let mut beside = beside.filter(|[begin, end]| *begin < to && from < *end).peekable();
             beside.peek().is_none() || beside.any(|chord| self.is_mixed(slice, chord))

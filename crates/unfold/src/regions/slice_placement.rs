@@ -20,7 +20,7 @@ const MOST_SLICES: usize = 200;
 /// only the curve would be seen.
 const ALONG: f64 = 1e-9;
 /// Displacements of slices beside a loose end, as fractions of the range of η.
-const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
+const FROM_LOOSE_END: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
 impl Judge {
     /// The η at which a slice is needed to judge a face, if no existing slice is sufficient, and
@@ -89,7 +89,7 @@ impl Judge {
         let mut loose: Vec<f64> = loose.map(|end| end[1]).collect();
         loose.sort_by(f64::total_cmp);
         let height = self.window.widths()[1];
-        let beside = loose.iter().flat_map(|end| BESIDE.map(|share| end + share * height));
+        let beside = loose.iter().flat_map(|end| FROM_LOOSE_END.map(|share| end + share * height));
         let between = loose.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).filter(|_| to_next);
         beside
             .chain(between)
@@ -164,7 +164,7 @@ mod tests {
         let pair = [line(&[[0.0, 0.1], [0.7, 0.2]]), line(&[[0.7, 0.2], [1.0, 0.1]])];
         assert_eq!(judge.beside_loose_ends(&pair, true), []);
         let levels = judge.beside_loose_ends(&[loose.clone(), pair[0].clone(), pair[1].clone()], true);
-        assert_eq!(levels, BESIDE.map(|share| 0.6 + share));
+        assert_eq!(levels, FROM_LOOSE_END.map(|share| 0.6 + share));
         // A curve from there to another loose end lies between.
         let levels = judge.beside_loose_ends(&[loose.clone(), line(&[[0.0, 0.8], [0.4, 0.7]])], true);
         assert!(levels.contains(&(0.5 * (0.6 + 0.7))), "{levels:?}");
