@@ -4,4 +4,5 @@ mod cell;
 mod dimensions;
 mod kinds;
 mod names;
+mod rows;
 mod words;
