@@ -1,6 +1,7 @@
 //! A region of the parameter plane, and whether it is decided.
 
 use core::fmt;
+use std::borrow::Cow;
 
 use grazing_continuation::curve::Window;
 use grazing_results::plane::{RegionKind, Vertex};
@@ -27,22 +28,32 @@ pub enum Doubt {
     NotFinished,
 }
 
-impl fmt::Display for Doubt {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
+impl Doubt {
+    /// What all doubts of one kind say, wherever the region is.
+    pub fn kind(&self) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
             Self::Disagreement => {
-                write!(f, "solutions gain or lose stability or admissibility where no curve was found")
+                "solutions gain or lose stability or admissibility where no curve was found"
             }
             Self::UnnamedChange => {
-                write!(
-                    f,
-                    "stability changes without a saddle-node, period-doubling, torus or grazing bifurcation"
-                )
+                "stability changes without a saddle-node, period-doubling, torus or grazing bifurcation"
             }
-            Self::Broken(end) => write!(f, "a branch of solutions could not be followed to its end: {end}"),
-            Self::ManyBranches => write!(f, "there are {MOST_BRANCHES} branches of solutions or more"),
-            Self::Unseen => write!(f, "no slice crosses it"),
-            Self::NotFinished => write!(f, "not finished"),
+            Self::Broken(_) => "a branch of solutions could not be followed to its end",
+            Self::ManyBranches => {
+                return Cow::Owned(format!("there are {MOST_BRANCHES} branches of solutions or more"));
+            }
+            Self::Unseen => "no slice crosses it",
+            Self::NotFinished => "not finished",
+        })
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.kind())?;
+        match self {
+            Self::Broken(end) => write!(f, ": {end}"),
+            _ => Ok(()),
         }
     }
 }

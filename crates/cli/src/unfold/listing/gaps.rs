@@ -1,7 +1,5 @@
 //! Gaps in the diagram: what is missing or unknown, with the reasons.
 
-use std::mem::discriminant;
-
 use grazing_analysis::nothing::place;
 use grazing_analysis::sequences::walls;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
@@ -11,7 +9,6 @@ use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
 use grazing_unfold::levels::LevelCurve;
-use grazing_unfold::regions::Doubt;
 
 use crate::layout::Layout;
 use crate::unfold::analysis::Analysis;
@@ -81,7 +78,7 @@ pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Ana
 
 /// Where it is not decided whether solutions are stable, with the reason.
 pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
-    let mut kinds: Vec<(_, &Doubt, Vec<String>)> = Vec::new();
+    let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
     let own = unfolded.diagram.regions.iter().map(|region| (format!("p = {}", region.loops), region));
     let both = unfolded.sequences.solutions.iter().filter(|found| found.stops.len() > 1);
     let both = both.flat_map(|found| {
@@ -91,20 +88,17 @@ pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &An
     for (name, region) in own.chain(both) {
         let Some(doubt) = &region.doubt else { continue };
         let Some(line) = reason::undecided(description, &unfolded.axes.units, region) else { continue };
-        let kind = (name, discriminant(doubt));
+        let kind = (name, doubt.kind());
         match kinds.iter_mut().find(|(known, ..)| *known == kind) {
-            Some((.., alike)) => alike.push(line),
-            None => kinds.push((kind, doubt, vec![line])),
+            Some((_, alike)) => alike.push(line),
+            None => kinds.push((kind, vec![line])),
         }
     }
-    let entries = kinds.into_iter().flat_map(|((name, _), doubt, alike)| {
+    let entries = kinds.into_iter().flat_map(|((name, doubt), alike)| {
         let lines = if alike.len() <= LISTED {
             alike
         } else {
-            let (count, reason) = (alike.len(), doubt.to_string());
-            // What follows differs from region to region.
-            let reason = reason.split(": ").next().unwrap_or_default();
-            vec![format!("{count} regions, in {REGIONS}: {reason}")]
+            vec![format!("{} regions, in {REGIONS}: {doubt}", alike.len())]
         };
         lines.into_iter().map(move |line| (format!("  {name}  "), line))
     });
