@@ -13,6 +13,8 @@ use grazing_unfold::non_impacting::{Height, rest_positions};
 /// The reason why there is nothing to unfold.
 #[derive(Clone, Debug)]
 pub struct Nothing {
+    /// That there is no grazing; empty where `found` says so itself.
+    pub missing: &'static str,
     /// What was found instead of grazing.
     pub found: String,
     /// Free and forced frequencies, and whether they are meant, as a question; empty where the reason is another.
@@ -23,9 +25,10 @@ pub struct Nothing {
 
 impl Display for Nothing {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let Self { found, question, remedy } = self;
+        let Self { question, remedy, .. } = self;
+        let found = self.sentence();
         match (question.is_empty(), remedy.is_empty()) {
-            (_, true) => formatter.write_str(found),
+            (_, true) => formatter.write_str(&found),
             (true, _) => write!(formatter, "{found}: {remedy}"),
             (false, _) => write!(formatter, "{found}. {question} If so, {remedy}"),
         }
@@ -34,7 +37,13 @@ impl Display for Nothing {
 
 impl Nothing {
     fn plain(found: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { found: found.into(), question: String::new(), remedy: remedy.into() }
+        Self { missing: "", found: found.into(), question: String::new(), remedy: remedy.into() }
+    }
+
+    /// What was found, as a sentence that says that there is no grazing.
+    pub fn sentence(&self) -> String {
+        let Self { missing, found, .. } = self;
+        if missing.is_empty() { found.clone() } else { format!("{missing}: {found}") }
     }
 
     /// The reason in words, for an error in the units of the file.
@@ -47,32 +56,31 @@ impl Nothing {
             UnfoldError::Stopped { stage } => Self::plain("cancelled at this stage", *stage),
             UnfoldError::NoGrazing { .. } | UnfoldError::Pushed { .. } if !moves(description) => {
                 let [primary, secondary] = axes.map(Axis::name);
-                Self::plain(
-                    format!(
-                        "no grazing curve: motion without the wall does not depend on {primary}, which appears only in the impact, so \
-                         it reaches the wall at the same values of {secondary} for every {primary}"
-                    ),
-                    format!(
-                        "let primary.name be a parameter of motion.force, motion.frequency or wall.position, and make {primary} the \
-                         secondary parameter or a constant"
-                    ),
-                )
+                let found = format!(
+                    "motion without the wall does not depend on {primary}, which appears only in the impact, so it reaches the wall at \
+                     the same values of {secondary} for every {primary}"
+                );
+                let remedy = format!(
+                    "let primary.name be a parameter of motion.force, motion.frequency or wall.position, and make {primary} the \
+                     secondary parameter or a constant"
+                );
+                Self { missing: "no grazing curve", ..Self::plain(found, remedy) }
             }
             UnfoldError::NoGrazing { lowest, highest, whole } => {
                 let nearest = if highest.position < 0.0 { highest } else { lowest };
-                let (found, remedy) =
-                    no_grazing([lowest, highest, nearest], *whole, (&ranges, axes), description);
-                Self { found, question: question(description, nearest.parameters), remedy }
+                let found = no_grazing([lowest, highest, nearest], *whole, (&ranges, axes), description);
+                Self { question: question(description, nearest.parameters), ..found }
             }
             UnfoldError::Pushed { at: height } => {
                 let place = at(height.parameters);
-                let (found, remedy) = if height.acceleration > -TURNED * units.acceleration() {
+                let (missing, found, remedy) = if height.acceleration > -TURNED * units.acceleration() {
                     let pushed = height.acceleration < TURNED * units.acceleration();
                     let force = brief(if pushed { 0.0 } else { height.acceleration }, 4);
                     let side = description.wall().side().name();
                     (
+                        "no grazing",
                         format!(
-                            "no grazing: at {place} periodic motion reaches the wall with F = {force}, so it rests at the wall or is \
+                            "at {place} periodic motion reaches the wall with F = {force}, so it rests at the wall or is \
                              pushed against it instead of turning back; where the motion grazes, the force must point away from the wall"
                         ),
                         format!(
@@ -84,14 +92,15 @@ impl Nothing {
                     let [distance, force] =
                         [height.position.abs(), height.acceleration].map(|value| brief(value, 4));
                     (
+                        "no grazing was located",
                         format!(
-                            "no grazing was located: at {place} periodic motion comes within {distance} of the wall, with F = {force}, but \
+                            "at {place} periodic motion comes within {distance} of the wall, with F = {force}, but \
                              no regular grazing orbit was found there"
                         ),
                         "move or narrow the ranges".to_owned(),
                     )
                 };
-                Self { found, question: question(description, height.parameters), remedy }
+                Self { missing, found, question: question(description, height.parameters), remedy }
             }
             UnfoldError::RunsAway { .. } | UnfoldError::NoOrbit if !has_spring(description) => Self::plain(
                 "no periodic motion: motion.force does not depend on the position x, so nothing holds the oscillator near the wall. \
@@ -117,7 +126,7 @@ fn no_grazing(
     whole: bool,
     (ranges, axes): (&str, [&Axis; 2]),
     description: &Description,
-) -> (String, String) {
+) -> Nothing {
     let at = |height: &Height| place(description, height.parameters);
     if lowest.position < 0.0 && highest.position > 0.0 {
         let found = format!(
@@ -127,20 +136,21 @@ fn no_grazing(
         );
         let remedy =
             "narrow the ranges to where it just reaches the wall, or start near it with analysis.start";
-        return (found, remedy.to_owned());
+        return Nothing::plain(found, remedy);
     }
     let push = mean_force_at_wall(description, nearest.parameters);
     let rest = rest(description, nearest.parameters);
     if lowest.position > 0.0 && push > 0.0 && rest.is_none() {
         let found = format!(
-            "no grazing: periodic motion without the wall crosses it everywhere in {ranges}, because the oscillator's rest position lies \
+            "periodic motion without the wall crosses it everywhere in {ranges}, because the oscillator's rest position lies \
              behind the wall: at {} it is pushed into the wall, with F = {} on average over a forcing period. Motion takes place {} the \
              wall",
             at(nearest),
             brief(push, 4),
             description.wall().side().name()
         );
-        return (found, "change wall.side or wall.position, or the signs in motion.force".to_owned());
+        let remedy = "change wall.side or wall.position, or the signs in motion.force";
+        return Nothing { missing: "no grazing", ..Nothing::plain(found, remedy) };
     }
     let distance = brief(nearest.position.abs(), 4);
     let (does, there) = match (highest.position < 0.0, rest) {
@@ -157,10 +167,11 @@ fn no_grazing(
     let start = "if there is another periodic motion, start near it with analysis.start = [x, v]";
     if whole {
         let found = format!(
-            "no grazing: periodic motion without the wall {does} everywhere in {ranges}; it is nearest to grazing at {}, where it {there}",
+            "periodic motion without the wall {does} everywhere in {ranges}; it is nearest to grazing at {}, where it {there}",
             at(nearest)
         );
-        return (found, format!("{}, or, {start}", widening(nearest, axes)));
+        let remedy = format!("{}, or, {start}", widening(nearest, axes));
+        return Nothing { missing: "no grazing", ..Nothing::plain(found, remedy) };
     }
     let found = format!(
         "no grazing was found for {ranges}: periodic motion without the wall {does} as far as it could be followed, but it could not be \
@@ -168,7 +179,9 @@ fn no_grazing(
         axes[0].name(),
         at(nearest)
     );
-    (found, format!("narrow the ranges, keep the motion away from poles, roots and logarithms, or, {start}"))
+    let remedy =
+        format!("narrow the ranges, keep the motion away from poles, roots and logarithms, or, {start}");
+    Nothing::plain(found, remedy)
 }
 
 /// The rest position nearest to the wall in front of it, seen from the wall.

@@ -176,7 +176,7 @@ const job = (body) => async (signal) => {
     done({ seconds }) {
       drop();
       numbered = [...(coarse ? numbered.filter(({ key }) => !seen.has(key)) : []), ...[...diagram.curves.values()].filter(isNumbered)];
-      diagram.notes = [...(nothing ? [`${nothing.found}. ${nothing.question}`] : []), ...(part ? [notDrawn(part, view)] : []), ...latestNotes];
+      diagram.notes = [...(nothing ? [`${nothing.sentence}. ${nothing.question}`] : []), ...(part ? [notDrawn(part, view)] : []), ...latestNotes];
       if (!part) diagram.part = null;
       diagram.version += 1;
       finish();
@@ -190,7 +190,7 @@ const job = (body) => async (signal) => {
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
         const took = seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`;
-        summary = nothing ? `No grazing and no MPS curve in this view: ${nothing.found.replace(/^no grazing[a-z ]*: /, "")}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${took}.`;
+        summary = nothing ? `No grazing and no MPS curve in this view: ${nothing.found}.` : `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${took}.`;
         if (part) summary += ` ${notDrawn(part, view)}`;
         tell(summary);
       }

@@ -132,9 +132,9 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     // Regions of stable solutions are shown all the same.
     let empty = shown.len() == of_one_impact && seen.iter().all(|diagram| diagram.nothing().is_some());
     if let Some(reason) = seen[0].nothing().filter(|_| empty) {
-        let Nothing { found, question, .. } =
-            Nothing::new(&reason.clone().with_dimensions(&axes.units), &description);
-        tell("nothing", json!({"found": found, "question": question}));
+        let nothing = Nothing::new(&reason.clone().with_dimensions(&axes.units), &description);
+        let sentence = nothing.sentence();
+        tell("nothing", json!({"sentence": sentence, "found": nothing.found, "question": nothing.question}));
     }
     if !(*coarse || stop.is_asked()) {
         events.kept.add(model, view, seen, sent);
