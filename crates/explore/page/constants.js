@@ -102,10 +102,10 @@ export function follow(value) {
   for (const box of $("loops-list").querySelectorAll("input")) box.checked = loops.includes(Number(box.value));
 }
 
-/** Shows why a value is rejected, beside the constant named in the message, or else the one that was changed last. */
-export function refuse(message) {
-  const named = controls.filter(({ name }) => new RegExp(`\\b${name}\\b`).test(message));
-  for (const { refuse: tell } of named.length ? named : controls.filter(({ name }) => name === last)) tell(message);
+/** Shows why a value is rejected, beside the constant whose key is wrong, or else the one that was changed last. */
+export function refuse({ key, message }) {
+  const wrong = controls.find(({ name }) => key === `parameters.${name}`) ?? controls.find(({ name }) => name === last);
+  wrong?.refuse(message);
 }
 
 function choose() {

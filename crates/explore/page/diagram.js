@@ -260,11 +260,12 @@ let noted = "";
 /** The tables under the plane: resonances, and notes: those on the file, and what is missing. */
 export function list() {
   const { resonances } = diagram;
-  const notes = [...(description?.notes ?? []).map(noteOf), ...diagram.notes.map((note) => note.charAt(0).toUpperCase() + note.slice(1))];
+  const own = (description?.notes ?? []).map(noteOf);
+  const notes = [...own, ...diagram.notes.map((note) => note.charAt(0).toUpperCase() + note.slice(1))];
   legend();
   // Those on the file are shown at once.
-  if (description && description.notes.join() !== noted) {
-    noted = description.notes.join();
+  if (description && own.join() !== noted) {
+    noted = own.join();
     if (noted) $("notes").open = true;
   }
   $("notes-count").textContent = notes.length;

@@ -2,7 +2,7 @@
 import { $, make, rested } from "./dom.js";
 import { ask, Latest } from "./api.js";
 import * as diagram from "./diagram.js";
-import { exampleOf, examples, noteOf, textOf } from "./model.js";
+import { exampleOf, examples, noteOf, textOf, withLine } from "./model.js";
 import * as state from "./state.js";
 
 const RESTS = 350;
@@ -21,7 +21,7 @@ export function tell(answer) {
   const callout = $("callout");
   callout.hidden = ok || !line;
   $("verdict").className = ok ? "good" : "bad";
-  $("verdict").textContent = ok ? ["The file is valid.", ...notes.map(noteOf)].join(" ") : `${line ? `Line ${line}: ` : ""}${message}`;
+  $("verdict").textContent = ok ? ["The file is valid.", ...notes.map(noteOf)].join(" ") : withLine(answer);
   $("go-to-mistake").hidden = ok || !line;
   if (ok || !line) {
     marks.replaceChildren(`${text}\n`);

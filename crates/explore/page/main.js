@@ -114,8 +114,8 @@ function taken(answer) {
     // An invalid file in the address is shown with its mistake.
     if (!model.description && model.textOf(state.get()) !== null && !state.get().edit) state.update({ edit: true });
     editor.tell(answer);
-    constants.refuse(answer.message);
-    diagram.say(`Not drawn. ${answer.line ? `Line ${answer.line}: ` : ""}${answer.message}`, true);
+    constants.refuse(answer);
+    diagram.say(`Not drawn. ${model.withLine(answer)}`, true);
     return;
   }
   const names = ({ name, primary, secondary }) => JSON.stringify([name, primary.name, secondary.name]);

@@ -11,8 +11,11 @@ export let description = null;
 export const setExamples = (told) => ({ program, examples } = told);
 export const setDescription = (told) => (description = told);
 
-/** A note on the file, with its line. */
-export const noteOf = (note) => note.replace(/^oscillator\.toml:(\d+): /, "Line $1: ").replace(/[^.?]$/, "$&.");
+/** A message on the file, with its line. */
+export const withLine = ({ line, message }) => `${line ? `Line ${line}: ` : ""}${message}`;
+
+/** A note on the file, as a sentence. */
+export const noteOf = (note) => withLine(note).replace(/[^.?]$/, "$&.");
 
 export const exampleOf = (value) => (value.text === null ? (examples.find(({ file }) => file === value.example) ?? examples[0]) : null);
 

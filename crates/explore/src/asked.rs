@@ -82,8 +82,8 @@ fn check(model: &Model, stop: &Stop) -> Result<Value, Problem> {
     match model.described(stop) {
         _ if stop.is_asked() => Err(Problem::ended()),
         Ok(described) => Ok(described),
-        Err(Mistake { message, line, span }) => {
-            Ok(json!({"ok": false, "message": message, "line": line, "span": span}))
+        Err(Mistake { message, key, line, span }) => {
+            Ok(json!({"ok": false, "message": message, "key": key, "line": line, "span": span}))
         }
     }
 }

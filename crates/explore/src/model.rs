@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grazing_analysis::unfolded::{self, Prepared};
-use grazing_input::{Axis, Description, DescriptionError, Mistake, Setting, SettingError, Text};
+use grazing_input::{Axis, Description, DescriptionError, Mistake, Note, Setting, SettingError, Text};
 use grazing_model::OscillatorError;
 use grazing_model::smooth::Stop;
 use grazing_results::readings::Ordinate;
@@ -148,6 +148,10 @@ impl Model {
                 .then(|| json!({"name": ordinate.name(), "unit": units.named_unit(unit)}))
         };
         let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
+        let note = |note: &Note| {
+            let Mistake { message, line, .. } = note.mistake();
+            json!({"message": message, "line": line})
+        };
         Ok(json!({
             "ok": true,
             "name": description.name(),
@@ -155,7 +159,7 @@ impl Model {
             "secondary": axis(&names.secondary, &secondary, description.secondary()),
             "constants": description.constants().map(constant).collect::<Vec<_>>(),
             "loops": description.loops(),
-            "notes": description.notes(),
+            "notes": description.notes().iter().map(note).collect::<Vec<_>>(),
             // x is measured from the wall unless the wall is at x = 0 with the motion below it.
             "from_the_wall": !description.wall().is_usual(),
             "walls": description.from_each_wall().count(),

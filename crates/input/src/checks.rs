@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use grazing_model::smooth::{SmoothOscillator, Stop, Units};
 
 use crate::description::{Description, Expressions};
-use crate::error::{DescriptionError, KeyPlace, rounded};
+use crate::error::{DescriptionError, KeyPlace, Note, rounded};
 
 /// Number of points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
@@ -40,7 +40,7 @@ type Checked = Result<(), DescriptionError>;
 
 /// Checks frequency, force and reset law at samples, in the order of the file, until the
 /// computation is cancelled; returns notes on values that are allowed but perhaps not intended.
-pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<String>, DescriptionError> {
+pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<Note>, DescriptionError> {
     let parameters = description.sampled();
     let seen: Vec<Description> = description.from_each_wall().collect();
     for check in Sampler::CHECKS {
@@ -179,12 +179,11 @@ impl<'a> Sampler<'a> {
     }
 
     /// A note if the restitution exceeds one, or is zero.
-    fn unusual(&self, [mu, eta]: [f64; 2]) -> Option<String> {
+    fn unusual(&self, [mu, eta]: [f64; 2]) -> Option<Note> {
         let samples = self.impact_velocities().into_iter().flat_map(|y| SHARES.map(|share| (y, share * TAU)));
         let (y, z, value) = samples
             .map(|(y, z)| (y, z, self.description.restitution(y, z, mu, eta)))
             .find(|(_, _, value)| *value > 1.0 || *value == 0.0)?;
-        let place = &self.places.restitution;
         let at = self.point([mu, eta], &[("y", y), ("z", z)]);
         let so = if value > 1.0 {
             "it is above 1, so impacts drive the oscillator; the analysis uses it as it is"
@@ -192,67 +191,70 @@ impl<'a> Sampler<'a> {
             "impacts are plastic, and motion sticks where the force presses, which simulation alone shows (--at, \
              [[diagrams]]): MPSs are those that leave the wall at once, and the paper's theorems ask for a positive restitution"
         };
-        Some(format!("{place}: the restitution is {} at {at}: {so}", rounded(value)))
+        let remark = format!("the restitution is {} at {at}: {so}", rounded(value));
+        Some(Note { place: self.places.restitution.clone(), remark })
     }
 
     /// A note if the force grows with the distance from rest wherever it is tried.
-    fn unsprung<'p>(&self, mut parameters: impl Iterator<Item = &'p [f64; 2]> + Clone) -> Option<String> {
+    fn unsprung<'p>(&self, mut parameters: impl Iterator<Item = &'p [f64; 2]> + Clone) -> Option<Note> {
         let slope = |at: [f64; 2], x: f64| self.description.slopes(x * self.units.length, at)[0];
         let least = ROUNDING / (self.units.time * self.units.time);
         let first = *parameters.clone().next()?;
         parameters.all(|&at| AWAY.iter().all(|x| slope(at, *x) > least)).then(|| {
-            format!(
-                "{}: the force grows with x, by {} x at {}, and wherever else it was tried, so that motion is pushed away \
+            self.on_force(format!(
+                "the force grows with x, by {} x at {}, and wherever else it was tried, so that motion is pushed away \
                  from rest, not back: is the sign of the spring intended?",
-                self.places.force,
                 rounded(slope(first, 0.0)),
                 self.point(first, &[])
-            )
+            ))
         })
     }
 
     /// A note if the force grows with the velocity.
-    fn undamped(&self, parameters: [f64; 2]) -> Option<String> {
+    fn undamped(&self, parameters: [f64; 2]) -> Option<Note> {
         let slope = self.description.slopes(0.0, parameters)[1];
         (slope * self.units.time > ROUNDING).then(|| {
-            format!(
-                "{}: at the wall the force grows with the velocity, by {} v at {}, so that motion is driven, not damped: is \
+            self.on_force(format!(
+                "at the wall the force grows with the velocity, by {} v at {}, so that motion is driven, not damped: is \
                  the sign of the damping intended?",
-                self.places.force,
                 rounded(slope),
                 self.point(parameters, &[])
-            )
+            ))
         })
     }
 
     /// A note if the frequency is a parameter in hertz.
-    fn in_hertz(&self, [mu, eta]: [f64; 2]) -> Option<String> {
+    fn in_hertz(&self, [mu, eta]: [f64; 2]) -> Option<Note> {
         let frequency = self.description.forcing_frequency(mu, eta);
         let axes = [(self.description.primary(), mu), (self.description.secondary(), eta)];
         let (axis, _) =
             axes.into_iter().find(|(axis, value)| axis.unit() == Some("Hz") && *value == frequency)?;
-        let (place, name) = (&self.places.frequency, axis.name());
-        Some(format!(
-            "{place}: {name} is in Hz, but frequencies are in radians per unit of time here: write 2*pi*{name}, here and in the force"
-        ))
+        let name = axis.name();
+        let remark = format!(
+            "{name} is in Hz, but frequencies are in radians per unit of time here: write 2*pi*{name}, here and in the force"
+        );
+        Some(Note { place: self.places.frequency.clone(), remark })
     }
 
     /// A note if the natural frequency, of small motion beside the wall, is far from those of the
     /// forcing.
-    fn far<'p>(&self, parameters: impl Iterator<Item = &'p [f64; 2]>) -> Option<String> {
+    fn far<'p>(&self, parameters: impl Iterator<Item = &'p [f64; 2]>) -> Option<Note> {
         let [low, high] = self.description.forcing_frequencies();
         let natural = |&at: &[f64; 2]| self.description.natural_frequency(0.0, at);
         let [slowest, fastest] = extent(parameters.map(natural));
         (slowest > FAR * high || fastest * FAR < low && fastest > 0.0).then(|| {
-            format!(
-                "{}: free motion at the wall has a natural frequency of about {}, and the forcing has {} to {}, in \
+            self.on_force(format!(
+                "free motion at the wall has a natural frequency of about {}, and the forcing has {} to {}, in \
                  radians per unit of time: if this is not intended, check that the units are coherent (kg with N and m) and that no factor 2*pi is missing",
-                self.places.force,
                 rounded(slowest.max(fastest)),
                 rounded(low),
                 rounded(high)
-            )
+            ))
         })
+    }
+
+    fn on_force(&self, remark: String) -> Note {
+        Note { place: self.places.force.clone(), remark }
     }
 
     fn duration(&self, [mu, eta]: [f64; 2]) -> Checked {

@@ -7,7 +7,7 @@ use grazing_model::smooth::{
     Dimensionless, Exact, Partials, Scalar, SmoothOscillator, Stop, Stoppable, Units,
 };
 
-use crate::error::KeyPlace;
+use crate::error::{KeyPlace, Note};
 use crate::expression::Expression;
 use grazing_results::readings::Ordinate;
 
@@ -29,7 +29,7 @@ pub(crate) struct Content {
     pub(crate) start: Option<[f64; 2]>,
     pub(crate) curves: Vec<OwnCurve>,
     pub(crate) diagrams: Vec<OneParameter>,
-    pub(crate) notes: Vec<String>,
+    pub(crate) notes: Vec<Note>,
     /// The units, once they have been determined.
     pub(crate) units: OnceLock<Units>,
 }
@@ -246,7 +246,7 @@ impl Description {
     }
 
     /// Notes on values that are allowed but perhaps not intended.
-    pub fn notes(&self) -> &[String] {
+    pub fn notes(&self) -> &[Note] {
         &self.0.notes
     }
 

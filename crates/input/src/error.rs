@@ -58,11 +58,31 @@ impl std::fmt::Display for KeyPlace {
 
 impl KeyPlace {
     fn mistake(&self, problem: &str) -> Mistake {
-        self.at.mistake(format!("{}: {problem}", self.key))
+        Mistake { key: Some(self.key.clone()), ..self.at.mistake(format!("{}: {problem}", self.key)) }
     }
 
     pub(crate) fn new(section: &Section<'_>, name: &str) -> KeyPlace {
         KeyPlace { at: section.place(name), key: section.key(name) }
+    }
+}
+
+/// A note on an expression that is allowed but perhaps not intended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Note {
+    pub(crate) place: KeyPlace,
+    pub(crate) remark: String,
+}
+
+impl std::fmt::Display for Note {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{}: {}", self.place, self.remark)
+    }
+}
+
+impl Note {
+    /// The note and its place, separately, as those of a mistake.
+    pub fn mistake(&self) -> Mistake {
+        self.place.mistake(&self.remark)
     }
 }
 

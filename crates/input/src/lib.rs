@@ -61,6 +61,6 @@ pub use document::{
     Key, Keys, Mistake, Place, Requirements, Schema, Section, Setting, SettingError, Source, SourceError,
     Text, kind, nearest, read_bytes, read_file, read_foreign, shortened, suggestion, what_is,
 };
-pub use error::DescriptionError;
+pub use error::{DescriptionError, Note};
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
 pub use file::{Axis, FigureStyle, Limits, Named, Side};

@@ -60,7 +60,7 @@ pub(crate) fn oscillator(layout: Layout, description: &Description, file: &Path)
         ("secondary", along(secondary)),
         ("loops", format!("p = {}", loops(description))),
     ];
-    let notes = description.notes().iter().map(|note| ("note", note.clone()));
+    let notes = description.notes().iter().map(|note| ("note", note.to_string()));
     let other = description.from_each_wall().skip(1).map(|seen| {
         let texts = seen.texts();
         let (side, wall) = (seen.wall().side().name(), &texts.wall);

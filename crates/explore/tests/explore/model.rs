@@ -29,9 +29,11 @@ fn mistakes_are_marked_where_they_are() {
     let wrong = |text: String| -> Mistake {
         let answer = checked(&model(text));
         assert_eq!(answer["ok"], false, "{answer}");
-        let [message, line, span] = ["message", "line", "span"].map(|key| answer[key].clone());
+        let [message, key, line, span] =
+            ["message", "key", "line", "span"].map(|field| answer[field].clone());
         Mistake {
             message: serde_json::from_value(message).unwrap(),
+            key: serde_json::from_value(key).unwrap(),
             line: serde_json::from_value(line).unwrap(),
             span: serde_json::from_value(span).unwrap(),
         }
@@ -50,6 +52,7 @@ fn mistakes_are_marked_where_they_are() {
     assert!(found.line.is_some() && found.span.is_some(), "{found:?}");
     let found = wrong(example().replace("zeta = 0.02", "zeta = \"a\""));
     assert!(found.line.is_some() && found.span.is_none() && found.message.starts_with("parameters.zeta"));
+    assert_eq!(found.key.as_deref(), Some("parameters.zeta"));
 }
 
 #[test]
@@ -68,8 +71,10 @@ fn the_notes_of_the_command_line_are_told_also_on_constants_that_are_set() {
     assert_eq!(checked(&model)["notes"], json!([]));
     model.set.insert("zeta".to_owned(), -0.02);
     let told = checked(&model);
-    let notes = model.read::<Mistake>("oscillator.toml", None, &Stop::default()).unwrap().notes().to_vec();
-    assert!(told["notes"] == json!(notes) && notes[0].contains("the sign of the damping"), "{told}");
+    let description = model.read::<Mistake>("oscillator.toml", None, &Stop::default()).unwrap();
+    let Mistake { message, line, .. } = description.notes()[0].mistake();
+    assert_eq!(told["notes"], json!([{"message": message, "line": line}]));
+    assert!(line.is_some() && message.contains("the sign of the damping"), "{told}");
 }
 
 #[test]

@@ -110,18 +110,30 @@ impl SourceError {
         Place { file: file.clone(), line, span }
     }
 
+    /// The key that is wrong, or missing.
+    fn key(&self) -> Option<&str> {
+        match self {
+            Self::Unreadable { .. } | Self::Syntax { .. } => None,
+            Self::UnknownKey { key, .. } | Self::MissingKey { key, .. } | Self::Forbidden { key, .. } => {
+                Some(key)
+            }
+        }
+    }
+
     /// The message and its place, separately.
     pub fn mistake(&self) -> Mistake {
-        self.place().mistake(self.reason())
+        Mistake { key: self.key().map(str::to_owned), ..self.place().mistake(self.reason()) }
     }
 }
 
-/// A mistake for display beside the file: the message, and the line (from 1) and the characters in
-/// it (from 0) that are wrong, as far as they are known.
+/// A mistake for display beside the file: the message, the key, and the line (from 1) and the
+/// characters in it (from 0) that are wrong, as far as they are known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mistake {
     /// The message; it includes the place only where there is no line, as for a setting.
     pub message: String,
+    /// The key with its full path.
+    pub key: Option<String>,
     /// The line.
     pub line: Option<usize>,
     /// The first character, and the one after the last.
@@ -131,7 +143,7 @@ pub struct Mistake {
 impl Mistake {
     /// A mistake without a place.
     pub fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), line: None, span: None }
+        Self { message: message.into(), key: None, line: None, span: None }
     }
 }
 
@@ -149,7 +161,7 @@ impl Place {
     pub fn mistake(&self, message: String) -> Mistake {
         match self.line {
             0 => Mistake::new(format!("{self}: {message}")),
-            line => Mistake { message, line: Some(line), span: self.span },
+            line => Mistake { line: Some(line), span: self.span, ..Mistake::new(message) },
         }
     }
 }

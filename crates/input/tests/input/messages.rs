@@ -302,15 +302,19 @@ fn deep_tables_neither_take_for_ever_nor_overflow_the_stack() {
     }
 }
 
+/// The notes on a file that is allowed.
+fn notes(text: &str) -> String {
+    let description = Description::parse(text, "o.toml").expect("it is allowed");
+    description.notes().iter().map(|note| format!("{note}\n")).collect()
+}
+
 #[test]
 fn a_restitution_above_one_or_of_zero_is_allowed_and_said() {
-    let noted = |line: &str| {
-        Description::parse(&edited("[impact]", "restitution", line), "o.toml").expect("it is allowed")
-    };
-    assert!(noted("restitution = \"1\"").notes().is_empty());
-    let notes = noted("restitution = \"1.2\"").notes().join("");
+    let noted = |line: &str| notes(&edited("[impact]", "restitution", line));
+    assert_eq!(noted("restitution = \"1\""), "");
+    let notes = noted("restitution = \"1.2\"");
     assert!(notes.starts_with("o.toml:15: impact.restitution: the restitution is 1.2 at A = 0, "), "{notes}");
-    let notes = noted("restitution = \"0\"").notes().join("");
+    let notes = noted("restitution = \"0\"");
     assert!(
         notes.contains("the restitution is 0 at A = 0, ") && notes.contains("impacts are plastic"),
         "{notes}"
@@ -325,7 +329,7 @@ fn what_may_not_be_meant_is_said() {
                 assert!(text.contains(from), "{from}: {text}");
                 text.replacen(from, to, 1)
             });
-        let notes = Description::parse(&text, "o.toml").expect("it is allowed").notes().join("\n");
+        let notes = notes(&text);
         for (_, _, told) in changes {
             assert!(if told.is_empty() { notes.is_empty() } else { notes.contains(told) }, "{told}: {notes}");
         }
