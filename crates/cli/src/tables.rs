@@ -45,21 +45,17 @@ pub fn columns(table: &Table) -> StructArray {
 fn array(table: &Table, place: usize) -> Box<dyn Array> {
     let cells = table.rows.iter().map(|row| &row[place]);
     let flags = |cell: &Cell| if let Cell::Flag(yes) = cell { Some(yes.to_string()) } else { None };
-    let is_text = |cell: &Cell| matches!(cell, Cell::Text(_));
+    let is_text = |cell: &Cell| cell.text().is_some();
     match cells.clone().next() {
         // Flags, and words where the answer is neither yes nor no.
-        Some(Cell::Flag(_) | Cell::Text(_))
+        Some(Cell::Flag(_) | Cell::Text(_) | Cell::Verdict(..))
             if cells.clone().any(is_text) && cells.clone().any(|cell| flags(cell).is_some()) =>
         {
-            let words = cells
-                .map(|cell| if let Cell::Text(text) = cell { Some(text.to_string()) } else { flags(cell) });
+            let words = cells.map(|cell| cell.text().map(str::to_owned).or_else(|| flags(cell)));
             Utf8Array::<i64>::from_iter(words).boxed()
         }
         None => NullArray::new(ArrowDataType::Null, 0).boxed(),
-        Some(Cell::Text(_)) => {
-            let text = cells.map(|cell| if let Cell::Text(text) = cell { Some(&**text) } else { None });
-            Utf8Array::<i64>::from_iter(text).boxed()
-        }
+        Some(Cell::Text(_) | Cell::Verdict(..)) => Utf8Array::<i64>::from_iter(cells.map(Cell::text)).boxed(),
         Some(Cell::Integer(_)) => {
             let count = cells.map(|cell| if let Cell::Integer(count) = cell { Some(*count) } else { None });
             UInt32Array::from_iter(count).boxed()

@@ -55,6 +55,7 @@ impl From<Mistake> for Problem {
 pub(crate) fn told<R: Row>(row: &R) -> Map<String, Value> {
     let value = |cell| match cell {
         Cell::Text(words) => json!(words),
+        Cell::Verdict(word, _) => json!(word),
         Cell::Integer(count) => json!(count),
         Cell::Number(number) => json!(number),
         Cell::Flag(yes) => json!(yes),

@@ -163,6 +163,7 @@ fn written(cell: &Cell, column: &Column, digits: usize) -> String {
     match cell {
         Cell::Text(words) if column.name == HYPOTHESIS.name => signs(words),
         Cell::Text(words) => words.replace('\n', " "),
+        Cell::Verdict(word, _) => (*word).to_owned(),
         Cell::Integer(value) => value.to_string(),
         Cell::Flag(value) => value.to_string(),
         Cell::Number(_) => cell.number().map_or_else(String::new, |number| brief(number, digits)),

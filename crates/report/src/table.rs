@@ -3,7 +3,7 @@
 use askama::Template;
 use askama::filters::Safe;
 use grazing_results::columns::HYPOTHESIS;
-use grazing_results::{Cell, Column, Table};
+use grazing_results::{Cell, Column, Table, Tone};
 
 use crate::columns::heading;
 use crate::data::{self, SHOWN_DIGITS};
@@ -15,8 +15,6 @@ use crate::report::Report;
 /// The most rows of a table that begins open; longer ones begin closed, and the scripts build their
 /// rows when they are opened.
 const LONGEST_OPEN_TABLE: usize = 40;
-/// The column with the verdict on a case.
-const VERDICT: &str = "verdict";
 
 /// A table that can be folded away.
 #[derive(Template)]
@@ -41,7 +39,7 @@ impl<'a> TableSection<'a> {
 
     /// Verdicts with the classes of their colours, for the scripts.
     fn tones(&self) -> String {
-        let tones = verdicts(self.table).into_iter().map(|(word, _)| format!("{word}={}", tone(word)));
+        let tones = verdicts(self.table).into_iter().map(|(word, tone, _)| format!("{word}={}", tone.name()));
         tones.collect::<Vec<_>>().join("|")
     }
 }
@@ -90,38 +88,26 @@ fn shown(cell: &Cell, column: &Column) -> Html {
         },
         Cell::Integer(value) => format!("<td class=\"number\">{value}</td>"),
         Cell::Flag(value) => format!("<td>{value}</td>"),
-        Cell::Text(words) if column.name == VERDICT => {
-            format!("<td><span class=\"verdict {}\">{}</span></td>", tone(words), escape(words))
+        Cell::Verdict(word, tone) => {
+            format!("<td><span class=\"verdict {}\">{}</span></td>", tone.name(), escape(word))
         }
         Cell::Text(words) if column.name == HYPOTHESIS.name => format!("<td>{}</td>", escape(&signs(words))),
         Cell::Text(words) => format!("<td>{}</td>", escape(&words.replace('_', " "))),
     })
 }
 
-/// The verdicts and their numbers, the most frequent first.
-fn verdicts(table: &Table) -> Vec<(&str, usize)> {
-    let mut counts: Vec<(&str, usize)> = Vec::new();
-    for cell in table.column(VERDICT).into_iter().flatten() {
-        let Cell::Text(word) = cell else { continue };
-        match counts.iter_mut().find(|(known, _)| known == word) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((word, 1)),
+/// The verdicts, with what they mean and their numbers, the most frequent first.
+fn verdicts(table: &Table) -> Vec<(&'static str, Tone, usize)> {
+    let mut counts: Vec<(&str, Tone, usize)> = Vec::new();
+    for cell in table.rows.iter().flatten() {
+        let Cell::Verdict(word, tone) = *cell else { continue };
+        match counts.iter_mut().find(|(known, ..)| *known == word) {
+            Some((.., count)) => *count += 1,
+            None => counts.push((word, tone, 1)),
         }
     }
-    counts.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
+    counts.sort_by(|a, b| b.2.cmp(&a.2).then(a.0.cmp(b.0)));
     counts
-}
-
-/// The colour of a verdict: agreement, disagreement, or neither.
-fn tone(verdict: &str) -> &'static str {
-    let verdict = verdict.to_ascii_lowercase();
-    if ["disagree", "unexplained", "fail"].iter().any(|word| verdict.contains(word)) {
-        "failed"
-    } else if verdict.contains("agree") || verdict == "met" || verdict == "passed" {
-        "passed"
-    } else {
-        "unchecked"
-    }
 }
 
 #[cfg(test)]
@@ -134,11 +120,15 @@ mod tests {
     #[test]
     fn verdicts_are_counted_and_coloured() {
         const COLUMNS: &[Column] = &[LOOPS, columns::VERDICT];
-        let rows = [(1, "agreement"), (2, "unexplained"), (3, "agreement"), (4, "explained")];
-        let rows = rows.map(|(p, word)| vec![Cell::from(p), Cell::from(word)]);
+        let [agreement, explained, unexplained] =
+            [("agreement", Tone::Passed), ("explained", Tone::Unchecked), ("unexplained", Tone::Failed)];
+        let rows = [(1, agreement), (2, unexplained), (3, agreement), (4, explained)];
+        let rows = rows.map(|(p, (word, tone))| vec![Cell::from(p), Cell::Verdict(word, tone)]);
         let table = Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows.into());
-        assert_eq!(verdicts(&table), [("agreement", 2), ("explained", 1), ("unexplained", 1)]);
-        assert_eq!(["agreement", "explained", "unexplained"].map(tone), ["passed", "unchecked", "failed"]);
+        let counted = [(agreement, 2), (explained, 1), (unexplained, 1)];
+        assert_eq!(verdicts(&table), counted.map(|((word, tone), count)| (word, tone, count)));
+        let coloured = "<td><span class=\"verdict failed\">unexplained</span></td>";
+        assert_eq!(shown(&table.rows[1][1], &columns::VERDICT).0, coloured);
     }
 
     #[test]

@@ -2,8 +2,10 @@
 
 use grazing_claims::outcome::Failure;
 use grazing_claims::sweep::resonant::CurveRow;
-use grazing_claims::sweep::{Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
-use grazing_results::{row, tables};
+use grazing_claims::sweep::{
+    CaseVerdict, Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows,
+};
+use grazing_results::{Cell, Tone, row, tables};
 use grazing_theorems::Side;
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 
@@ -106,7 +108,7 @@ row! { Generic, |this| {
     DY_DMU_FIT = fit[0],
     DZ_DMU_FIT = fit[1],
     SLOPE_DIFFERENCE = r.slope_difference(),
-    VERDICT = r.verdict().name(),
+    VERDICT = cell(r.verdict()),
     REASON = r.verdict().reason().to_owned(),
 ] }
 
@@ -161,9 +163,18 @@ row! { Resonant, |this| {
     C_PD_FIT_ERROR = fit(pd)[1],
     C_PD_DIFFERENCE = pd.difference(),
     C_PD_FIT_DIFFERENCE = pd.fit_difference(),
-    VERDICT = r.verdict().name(),
+    VERDICT = cell(r.verdict()),
     REASON = r.verdict().reason().to_owned(),
 ] }
+
+fn cell(verdict: CaseVerdict) -> Cell {
+    let tone = match verdict {
+        CaseVerdict::Agreement => Tone::Passed,
+        CaseVerdict::Explained(_) => Tone::Unchecked,
+        CaseVerdict::Unexplained => Tone::Failed,
+    };
+    Cell::Verdict(verdict.name(), tone)
+}
 
 fn continued(curve: &CurveRow) -> &'static str {
     curve.continued.map_or("", |existence| seen(existence, OF_ETA))

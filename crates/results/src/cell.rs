@@ -18,14 +18,47 @@ pub enum Cell {
     Number(f64),
     /// Yes or no.
     Flag(bool),
+    /// The verdict on a case, a word, with what it means.
+    Verdict(&'static str, Tone),
 }
 
 impl Cell {
+    /// The text, if the cell is a text or a verdict.
+    pub fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text(words) => Some(words),
+            Self::Verdict(word, _) => Some(word),
+            Self::Integer(_) | Self::Number(_) | Self::Flag(_) => None,
+        }
+    }
+
     /// The number, if the cell is a finite number. Negative zero becomes zero.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Number(value) => value.is_finite().then_some(value + 0.0),
             _ => None,
+        }
+    }
+}
+
+/// What a verdict means for what was tested.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    /// It holds.
+    Passed,
+    /// It does not hold.
+    Failed,
+    /// It is left open.
+    Unchecked,
+}
+
+impl Tone {
+    /// The word for it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "failed",
+            Self::Unchecked => "unchecked",
         }
     }
 }

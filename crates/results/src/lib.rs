@@ -44,7 +44,7 @@ pub mod space;
 pub mod table;
 pub mod title;
 
-pub use cell::{Cell, Stability, brief};
+pub use cell::{Cell, Stability, Tone, brief};
 pub use columns::Column;
 pub use dimension::{Dimension, Dimensioned, Field};
 pub use frame::{Frame, span};

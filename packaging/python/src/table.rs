@@ -59,6 +59,7 @@ impl Table {
         let place = self.place(column)?;
         let cell = |row: &Vec<Cell>| match &row[place] {
             Cell::Text(text) => text.as_ref().into_pyobject(py).map(Bound::into_any).map_err(PyErr::from),
+            Cell::Verdict(word, _) => word.into_pyobject(py).map(Bound::into_any).map_err(PyErr::from),
             Cell::Integer(count) => Ok(count.into_pyobject(py)?.into_any()),
             Cell::Flag(yes) => Ok(yes.into_pyobject(py)?.to_owned().into_any()),
             number => Ok(number.number().unwrap_or(f64::NAN).into_pyobject(py)?.into_any()),

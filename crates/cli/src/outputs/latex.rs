@@ -81,6 +81,7 @@ fn cells(table: &Table, place: usize) -> (Vec<String>, bool) {
         first => {
             let written = |cell: &Cell| match cell {
                 Cell::Text(words) => escaped(words),
+                Cell::Verdict(word, _) => escaped(word),
                 Cell::Integer(value) => value.to_string(),
                 Cell::Flag(value) => value.to_string(),
                 Cell::Number(value) => value.to_string(),

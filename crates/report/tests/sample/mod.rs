@@ -16,7 +16,7 @@ use grazing_drawing::{Bounds, Element, PanelMark, Path, Sheet};
 use grazing_input::Description;
 use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Part, Report, TableOutput};
 use grazing_results::plane::SpecialPoint;
-use grazing_results::{Column, Frame, Names, Table, Title, UnitNames, columns};
+use grazing_results::{Cell, Column, Frame, Names, Table, Title, Tone, UnitNames, columns};
 use grazing_theorems::LinearOscillator;
 use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity, Theorem};
 use grazing_unfold::simulation::ReturnOutcome;
@@ -128,11 +128,16 @@ fn figure(name: &str, title: Title<&'static str>) -> FigureEntry {
 
 fn sweep() -> Table {
     const COLUMNS: &[Column] = &[columns::LOOPS, columns::C_SN_CLOSED_FORM, columns::VERDICT];
-    let mut rows =
-        vec![(1_u32, -5.679_445_287_380_571e2, "agreement"), (2, 3.0, "unexplained"), (3, 1e-7, "agreement")];
+    let [agreement, unexplained] =
+        [Cell::Verdict("agreement", Tone::Passed), Cell::Verdict("unexplained", Tone::Failed)];
+    let mut rows = vec![
+        (1_u32, -5.679_445_287_380_571e2, agreement.clone()),
+        (2, 3.0, unexplained),
+        (3, 1e-7, agreement.clone()),
+    ];
     // Enough rows to be kept for the scripts.
-    rows.extend((4..60).map(|p| (p, 0.5 * f64::from(p), "agreement")));
-    let rows = rows.into_iter().map(|(p, c_sn, verdict)| vec![p.into(), c_sn.into(), verdict.into()]);
+    rows.extend((4..60).map(|p| (p, 0.5 * f64::from(p), agreement.clone())));
+    let rows = rows.into_iter().map(|(p, c_sn, verdict)| vec![p.into(), c_sn.into(), verdict]);
     Table::of_cells("sweep", COLUMNS, &Names::of_the_paper(), rows.collect())
 }
 
