@@ -5,7 +5,7 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::Dimensioned;
 use grazing_results::plane::{
-    OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
+    OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex, Walls,
 };
 use grazing_unfold::curves::DiagramCurve;
 use grazing_unfold::generations::{BaseName, LaterResonance};
@@ -26,13 +26,12 @@ pub fn rows(found: &Sequences, units: &Units, wall: u32) -> SequenceDiagram {
     }
 }
 
-/// The walls that the impacts of solutions hit, one after the other, as `1-2`; empty with one wall.
-pub fn walls(of: &Sequence, wall: u32) -> String {
+/// The walls that the impacts of solutions hit, one after the other; none with one wall.
+pub fn walls(of: &Sequence, wall: u32) -> Walls {
     let stop = |impact: usize| if of.stops.is_empty() { 0 } else { of.stops[impact % of.stops.len()] };
     // To the second wall the first one is the other.
     let number = |stop: usize| if wall == 2 { 2 - stop } else { 1 + stop };
-    let all = (0..of.impacts).filter(|_| wall > 0).map(|impact| number(stop(impact)).to_string());
-    all.collect::<Vec<_>>().join("-")
+    Walls((0..of.impacts).filter(|_| wall > 0).map(|impact| number(stop(impact))).collect())
 }
 
 /// Whether solutions hit both of two walls.

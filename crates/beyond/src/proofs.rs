@@ -11,7 +11,7 @@ use grazing_certify::resonance::Resonance;
 use grazing_certify::row::{Row, Verdict};
 use grazing_certify::statement::{Decimal, Statement};
 use grazing_certify::summary::{self, ends, sentence, stretches};
-use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_input::kind::count;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::prelude::*;
@@ -73,7 +73,7 @@ rows! {
     /// The proved ends of motion near a point, magnified.
     ProofMagnified {
         panel: u32 = PANEL,
-        kind: String = CODIMENSION_TWO,
+        kind: CodimensionTwo = CODIMENSION_TWO,
         loops: u32 = LOOPS,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -231,8 +231,12 @@ fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) ->
 
 /// The tubes near the first point of each kind, and the box of the point.
 fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagnified> {
-    let of = |kind: &str| summary::points(statement, rows).find(|(name, _)| *name == kind);
-    let kinds = ["SN-GZ", "PD-GZ", "GZ-GZ"].into_iter().filter_map(of);
+    use CodimensionTwo::{GrazingGrazing, PeriodDoublingGrazing, SaddleNodeGrazing};
+    let of = |kind: CodimensionTwo| {
+        let mut points = summary::points(statement, rows);
+        points.find_map(|(name, point)| (name == kind.name()).then_some((kind, point)))
+    };
+    let kinds = [SaddleNodeGrazing, PeriodDoublingGrazing, GrazingGrazing].into_iter().filter_map(of);
     let mut all = Vec::new();
     for (panel, (kind, point)) in (1..=panels).zip(kinds) {
         let (p, amplitudes) = (point.interval.p, summary::amplitudes(statement, point));
@@ -241,7 +245,7 @@ fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagni
         let offset = |amplitude: f64| (amplitude - primary) * 1e6;
         let row = |part, arc, omega: f64, [begins, lower, upper]: [f64; 3]| ProofMagnified {
             panel,
-            kind: kind.to_owned(),
+            kind,
             loops: p as u32,
             secondary,
             primary,

@@ -110,9 +110,12 @@ fn errata_page(findings: &[Finding<'_>], write: bool) -> (Vec<Batch>, Option<Fai
     let failure = match folder::read(&path) {
         Ok(present) if present == page.content => None,
         Err(error) if error.kind() != io::ErrorKind::NotFound => Some(Failure::file(&path, &error)),
-        _ => Some(Failure::check(
-            "docs/ERRATA.md differs from the page that the ledger gives: update it with `cargo xtask claims --write-errata`",
-        )),
+        _ => {
+            let update = CommandLine::own("claims").with("--write-errata");
+            Some(Failure::check(format!(
+                "{ERRATA} differs from the page that the ledger gives: update it with `{update}`"
+            )))
+        }
     };
     (Vec::new(), failure)
 }

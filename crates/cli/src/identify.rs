@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use grazing_analysis::unfolded::{axes, prepared};
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::{Description, Limits};
 use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
 use grazing_model::smooth::SmoothOscillator;
@@ -44,7 +45,10 @@ pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
     let start = constants("--free", free.iter().map(String::as_str), &of.description)?;
     let unused = unused(&measured);
     if unused == measured.points.len() && measured.record.is_empty() {
-        let remedy = "measurements without a bifurcation do not constrain the constants: measure where the motion changes (seen = graz, SN, PD, ...), or give a --record of impacts";
+        let remedy = format!(
+            "measurements without a bifurcation do not constrain the constants: measure where the motion changes (seen = {}), or give a --record of impacts",
+            Bifurcation::NAMES
+        );
         return Err(Failure::input(format!(
             "{}: no bifurcation among the measurements: {remedy}",
             file.display()

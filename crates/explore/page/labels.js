@@ -49,17 +49,14 @@ function pathOf({ rings }) {
   return path;
 }
 
-/** The number of impacts, at each of two walls if there are two: "1+1". */
-const struck = ({ impacts, walls }) => (walls ? ["1", "2"].map((wall) => walls.split("-").filter((one) => one === wall).length).join("+") : impacts);
-
 /** The label of a region: p, or with several impacts K/P; none where nothing is stable for sure. */
 function nameOf(region) {
   if (region.kind === "mps") return [["p", "italic"], [` = ${region.p}`, ""]];
-  return region.kind === "several-impacts" ? [[`${struck(region)}/${region.p}`, ""]] : null;
+  return region.kind === "several-impacts" ? [[region.name, ""]] : null;
 }
 
 /** Regions with labels, each with the number by which its labels are known. */
-const named = (regions) => regions.filter(nameOf).map((region) => ({ ...region, p: region.impacts ? `${struck(region)}/${region.p}` : region.p, text: nameOf(region) }));
+const named = (regions) => regions.filter(nameOf).map((region) => ({ ...region, p: region.name ?? region.p, text: nameOf(region) }));
 
 /**
  * The labels p = ... of regions: each at the place that is farthest from everything, outside other regions if possible.

@@ -20,8 +20,6 @@ function apart(a, b, widths) {
   return Math.min(...ways) + REST * Math.max(...ways);
 }
 
-const kindOf = ({ key }) => key.split("#")[0];
-
 /** Whether a curve is known only by a number. */
 export const isNumbered = ({ n, source }) => n === 0 && source === "continuation";
 
@@ -32,7 +30,7 @@ export const isNumbered = ({ n, source }) => n === 0 && source === "continuation
 export function lasting(list, before, { primary: [a, b], secondary: [c, d] }) {
   const names = new Map();
   const curves = list.filter(isNumbered);
-  const pairs = curves.flatMap((curve) => before.filter((old) => kindOf(old) === kindOf(curve)).map((old) => ({ curve, old, far: apart(curve, old, [b - a, d - c]) })));
+  const pairs = curves.flatMap((curve) => before.filter(({ group }) => group === curve.group).map((old) => ({ curve, old, far: apart(curve, old, [b - a, d - c]) })));
   const taken = new Set();
   for (const { curve, old, far } of pairs.sort((one, other) => one.far - other.far)) {
     if (far > FARTHEST || names.has(curve.key) || taken.has(old.key)) continue;
@@ -44,9 +42,9 @@ export function lasting(list, before, { primary: [a, b], secondary: [c, d] }) {
   for (const curve of curves) {
     if (names.has(curve.key)) continue;
     let number = 0;
-    while (taken.has(`${kindOf(curve)}#${number}`)) number += 1;
-    names.set(curve.key, `${kindOf(curve)}#${number}`);
-    taken.add(`${kindOf(curve)}#${number}`);
+    while (taken.has(`${curve.group}#${number}`)) number += 1;
+    names.set(curve.key, `${curve.group}#${number}`);
+    taken.add(`${curve.group}#${number}`);
   }
   return names;
 }

@@ -263,7 +263,7 @@ fn along<'a>(curve: &mut Value, rows: impl DoubleEndedIterator<Item = ([f64; 2],
     curve["multipliers"] = multipliers.collect();
 }
 
-/// A curve, under a name that stays the same while constants move.
+/// A curve, under a key that stays the same while constants move: its number in the group of its kind.
 pub(crate) fn named(
     kind: &str,
     [p, n, rank]: [u32; 3],
@@ -272,9 +272,10 @@ pub(crate) fn named(
     (points, bounds): (Vec<[f64; 2]>, Vec<bool>),
 ) -> Value {
     let of_wall = if wall > 1 { format!("wall {wall} ") } else { String::new() };
-    let key = format!("{kind} {p} {n} {of_wall}#{rank}");
+    let group = format!("{kind} {p} {n} {of_wall}");
+    let key = format!("{group}#{rank}");
     let key = if source == "quadratic" { format!("{key} {source}") } else { key };
-    json!({"key": key, "kind": kind, "p": p, "n": n, "wall": wall, "source": source, "points": points, "bounds": bounds})
+    json!({"key": key, "group": group, "kind": kind, "p": p, "n": n, "wall": wall, "source": source, "points": points, "bounds": bounds})
 }
 
 /// A curve that the file asks for, which is bold where solutions are stable and admissible.
@@ -334,8 +335,7 @@ fn several(
         json!({
             "kind": first.kind.name(),
             "p": first.periods,
-            "impacts": first.impacts,
-            "walls": first.walls,
+            "name": first.name(),
             "rings": Vertex::rings(rows.iter().map(|row| &row.at)),
             "reason": first.at.reason,
         })
@@ -343,8 +343,9 @@ fn several(
     let both = sequences::at_both_walls(&found, &axes.units);
     let both = both.chunk_by(|a, b| a.at.arc == b.at.arc).map(|rows| {
         let mut found = curve(rows, rows[0].at.arc);
-        found["key"] =
-            json!(format!("{} {} both walls #{}", rows[0].kind.name(), rows[0].loops, rows[0].at.arc));
+        let group = format!("{} {} both walls ", rows[0].kind.name(), rows[0].loops);
+        found["key"] = json!(format!("{group}#{}", rows[0].at.arc));
+        found["group"] = json!(group);
         along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
         found
     });

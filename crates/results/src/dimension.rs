@@ -53,6 +53,12 @@ impl Dimension {
         Self { exponents }
     }
 
+    /// Whether the mass enters.
+    #[must_use]
+    pub fn has_mass(self) -> bool {
+        self.exponents.iter().zip(WORDS).any(|(exponent, word)| word == "mass" && *exponent != 0)
+    }
+
     /// Which of the two parameters numbers of this dimension are values of: 0 for the primary one, 1 for the secondary.
     fn parameter(self) -> Option<usize> {
         [Self::of("{primary}"), Self::of("{secondary}")].iter().position(|parameter| *parameter == self)

@@ -1,9 +1,11 @@
 //! Two-parameter diagrams, and magnifications of them.
 
+use core::fmt::{self, Display, Formatter};
+
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
 use crate::measured::MeasuredPoint;
-use crate::{Frame, Stability, dimensioned, rows, tables, words};
+use crate::{Cell, Field, Frame, Stability, dimensioned, rows, tables, words};
 
 words! {
     /// The kinds of regions of the parameter plane, by the solutions that are stable and admissible
@@ -124,7 +126,7 @@ rows! {
     SequencePoint {
         impacts: u32 = LATER_IMPACTS,
         periods: u32 = LATER_PERIODS,
-        walls: String = LATER_WALLS,
+        walls: Walls = LATER_WALLS,
         kind: Bifurcation = BIFURCATION,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -144,8 +146,40 @@ rows! {
         kind: RegionKind = REGION_KIND,
         impacts: u32 = LATER_IMPACTS,
         periods: u32 = LATER_PERIODS,
-        walls: String = LATER_WALLS,
+        walls: Walls = LATER_WALLS,
         at: Vertex,
+    }
+}
+
+/// The walls that the impacts of a solution hit, from 1, one after the other; none with one wall.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Walls(pub Vec<usize>);
+
+impl Display for Walls {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        let walls: Vec<_> = self.0.iter().map(usize::to_string).collect();
+        formatter.write_str(&walls.join("-"))
+    }
+}
+
+impl Field for Walls {}
+
+impl From<Walls> for Cell {
+    fn from(walls: Walls) -> Self {
+        walls.to_string().into()
+    }
+}
+
+impl SequenceVertex {
+    /// The name of its region: K/P for K impacts in P forcing periods, between two walls K₁+K₂/P.
+    pub fn name(&self) -> String {
+        let Self { impacts, periods, walls: Walls(walls), .. } = self;
+        let at = |wall: usize| walls.iter().filter(|hit| **hit == wall).count();
+        if walls.is_empty() {
+            format!("{impacts}/{periods}")
+        } else {
+            format!("{}+{}/{periods}", at(1), at(2))
+        }
     }
 }
 

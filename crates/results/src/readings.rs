@@ -1,7 +1,7 @@
 //! Engineering quantities of motion: impact velocities, peak-to-peak amplitudes, forces and power, along
 //! branches and as a parameter is swept up and down.
 
-use crate::{Stability, rows, words};
+use crate::{Column, Stability, rows, words};
 
 words! {
     /// The quantities that the vertical axis of a one-parameter diagram can show.
@@ -98,20 +98,24 @@ read! {
 impl Ordinate {
     /// Whether the quantity needs the mass that hits the wall.
     pub fn needs_mass(self) -> bool {
-        self.column().1.contains("mass")
+        self.whole_column().dimension.has_mass()
     }
 
     /// The header of the ordinate's column, and the unit of its numbers.
     pub const fn column(self) -> (&'static str, &'static str) {
+        let column = self.whole_column();
+        (column.name, column.unit)
+    }
+
+    const fn whole_column(self) -> Column {
         use crate::columns::{IMPACT_VELOCITY, IMPULSE, MEAN_FORCE, PEAK_TO_PEAK, POWER, X_ON_SECTION};
-        let column = match self {
+        match self {
             Self::X => X_ON_SECTION,
             Self::ImpactVelocity => IMPACT_VELOCITY,
             Self::PeakToPeak => PEAK_TO_PEAK,
             Self::Impulse => IMPULSE,
             Self::Force => MEAN_FORCE,
             Self::Power => POWER,
-        };
-        (column.name, column.unit)
+        }
     }
 }

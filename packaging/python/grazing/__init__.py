@@ -192,7 +192,7 @@ class Oscillator:
     ) -> Results:
         """The two-parameter diagram in these ranges, with everything that ``grazing unfold`` computes.
 
-        Tables, among others: ``curves`` of bifurcations (SN, PD, GZ, NS; graz: of the non-impacting solution), ``points``,
+        Tables, among others: ``curves`` of bifurcations (SN, PD, GZ, NS, PF; graz: of the non-impacting solution), ``points``,
         ``regions`` where an MPS is stable, ``coefficients`` (mu = mu_graz(eta) + c_SN*(eta - eta*)^2 + ...), ``hypotheses`` of
         Theorems 2.4 and 2.5 at all resonances, ``grazing`` and ``magnifications``.
         """

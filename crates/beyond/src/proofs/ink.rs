@@ -17,7 +17,7 @@ use grazing_results::Frame;
 use grazing_results::kinds::CurveLook;
 use grazing_results::plane::RegionKind;
 
-use super::{Bifurcation, ProofEnds, ProofMagnified, ProofPart, Proofs, REACH};
+use super::{Bifurcation, CodimensionTwo, ProofEnds, ProofMagnified, ProofPart, Proofs, REACH};
 
 const WIDTH_MM: f64 = 165.0;
 const HEIGHT_MM: f64 = 158.0;
@@ -166,7 +166,7 @@ fn draw_magnified(
     bounds: Bounds,
     place: usize,
 ) -> Result<(), DrawingError> {
-    let ProofMagnified { kind, loops, .. } = &rows[0];
+    let ProofMagnified { kind, loops, .. } = rows[0];
     let (boxed, tubes): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.part == ProofPart::Box);
     let high = boxed[0].omega.abs();
     // The box is clearly visible, and so are tubes that end at it.
@@ -185,8 +185,10 @@ fn draw_magnified(
         for of in [(|row| row.lower) as fn(&ProofMagnified) -> f64, |row| row.upper] {
             panel.draw_series(panel.curve(&side(of).collect::<Vec<_>>(), SIDE))?;
         }
-        let limit =
-            if kind.starts_with("PD") { Bifurcation::PeriodDoubling } else { Bifurcation::SaddleNode };
+        let limit = match kind {
+            CodimensionTwo::PeriodDoublingGrazing => Bifurcation::PeriodDoubling,
+            _ => Bifurcation::SaddleNode,
+        };
         let look = CurveLook::of(limit);
         let limit: Vec<_> = side(|row| row.begins).collect();
         panel.draw_series(panel.curve(&limit, Pen::solid(look.colours[0], look.width)))?;
@@ -197,7 +199,7 @@ fn draw_magnified(
     let drawn = panel.draw_series(panel.curve(&outline, BOX))?;
     drawn.label("box in which exactly one point lies").legend(legend::rectangle(BOX))?;
     let name = MAGNIFIED[place];
-    let heading = format!("{name} {kind}, $p={loops}$");
+    let heading = format!("{name} {}, $p={loops}$", kind.name());
     let wide = canvas.fonts.measure(&Label::parse(&heading)?, SMALL_LABEL_SIZE)?.width;
     let above = (bounds.left.min(canvas.width - wide - 2.0), bounds.top - 5.0);
     canvas.text(above, &heading, SMALL_LABEL_SIZE, Anchor::Start, BLACK)?;

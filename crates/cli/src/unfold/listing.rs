@@ -198,7 +198,7 @@ fn several_impacts(layout: Layout, unfolded: &Analysis) -> String {
             (count > 0).then(|| format!("{count} {}", kind.name()))
         });
         let curves = between.then(|| curves.collect::<Vec<_>>().join(", "));
-        let walls = between.then(|| walls(found, *wall));
+        let walls = between.then(|| walls(found, *wall).to_string());
         let all = numbers.into_iter().chain([percent(true), percent(false)]);
         walls.into_iter().chain(all).chain(curves).collect()
     };

@@ -215,7 +215,7 @@ pub fn draw_points<'a>(
 }
 
 /// Draws regions of solutions with several impacts, and makes labels avoid hatching; returns the name and the
-/// border of each that is decided and visible: K/P for K impacts in P forcing periods, between two walls K₁+K₂/P.
+/// border of each that is decided and visible.
 ///
 /// # Errors
 /// As [`Panel::draw_series`].
@@ -225,11 +225,8 @@ pub fn draw_several(
     vertices: &[SequenceVertex],
 ) -> Result<Vec<(String, Vec<Spot>)>, DrawingError> {
     let region = |vertices: &[SequenceVertex]| {
-        let SequenceVertex { impacts, periods, kind, ref walls, .. } = vertices[0];
         let rings = Vertex::rings(vertices.iter().map(|vertex| &vertex.at));
-        let at = |wall: &str| walls.matches(wall).count();
-        let impacts = if walls.is_empty() { impacts.to_string() } else { format!("{}+{}", at("1"), at("2")) };
-        (format!("{impacts}/{periods}"), Region { p: 0, kind, rings })
+        (vertices[0].name(), Region { p: 0, kind: vertices[0].kind, rings })
     };
     let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
     regions.sort_by_key(|(_, region)| region.is_hatched());

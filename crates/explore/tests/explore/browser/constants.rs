@@ -108,7 +108,7 @@ fn a_curve_that_goes_leaves_the_others_their_numbers_and_one_that_comes_gets_a_n
     let Some(mut page) = server.open(DESK) else { return };
     let mut names = |before: &str, list: &str| {
         page.value(&format!(
-            "use('lasting').then(([l]) => {{ const curve = ([key, y, from = 0]) => ({{key, n: key.split(' ')[2] * 1, source: 'continuation', \
+            "use('lasting').then(([l]) => {{ const curve = ([key, y, from = 0]) => ({{key, group: key.split('#')[0], n: key.split(' ')[2] * 1, source: 'continuation', \
              points: [[from, y], [0.5, y], [1, y]]}}); return l.lasting({list}.map(curve), {before}.map(curve), {{primary: [0, 1], secondary: [0, 1]}})\
              .entries().toArray().map((pair) => pair.join(' is ')).sort(); }})"
         ))
