@@ -117,6 +117,12 @@ impl CurveLook {
         }
     }
 
+    /// The same look in another colour on light ground.
+    #[must_use]
+    pub const fn coloured(self, colour: Colour) -> Self {
+        Self { colours: [colour, self.colours[1]], text: colour, ..self }
+    }
+
     /// The colours of the quadratic approximation on light and on dark ground; on light ground it is
     /// darker than the curve, so that it is visible on top of it.
     pub const fn approximation(&self) -> [Colour; 2] {
@@ -125,7 +131,7 @@ impl CurveLook {
 }
 
 /// The colour, on light ground, of an approximation to a curve of this colour.
-pub const fn darker([red, green, blue]: Colour) -> Colour {
+const fn darker([red, green, blue]: Colour) -> Colour {
     const fn channel(channel: u8) -> u8 {
         (channel as u16 * 11 / 20) as u8
     }

@@ -67,7 +67,7 @@ pub fn draw_diagram(
 
     let width = look.width_mm(WIDTH_MM);
     let usual = (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM);
-    let canvas = Canvas::new(width, look.style.height.unwrap_or(usual))?;
+    let canvas = Canvas::new(width, look.style.height.unwrap_or(usual))?.coloured(&look.style.colours);
     let bounds = bounds(&canvas, &frame, up)?;
     let mut panel =
         Panel { tables: heading.tables, columns: names.columns(), ..Panel::new(&canvas, frame, bounds)? };
@@ -151,7 +151,7 @@ pub fn draw_diagram(
         labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
     }
     labels.draw()?;
-    Ok(look.coloured(canvas.finish(heading.name, heading.title, heading.description)?))
+    canvas.finish(heading.name, heading.title, heading.description)
 }
 
 /// The bounds of the panel: within the margins, or wider ones if the numbers or the title need them.

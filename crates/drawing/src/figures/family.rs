@@ -3,6 +3,7 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Names;
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, Family, Panel as FamilyPanel, Shows};
+use grazing_results::kinds::CurveLook;
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
@@ -15,7 +16,7 @@ use crate::ink::style::{
     TICK_SIZE,
 };
 use crate::plot::axes::{Heading, Panel};
-use crate::plot::kinds::{pen, text_colour};
+use crate::plot::kinds::text_colour;
 use crate::plot::magnified::panel_letter;
 use crate::plot::panel_grid::{GridPanel, draw_panels, sheets};
 
@@ -69,7 +70,7 @@ pub fn draw_family(
         names,
         tables: &["family_curves", "family_points"],
     };
-    draw_panels(&heading, width, across, &panels, |panel, place| {
+    draw_panels(&heading, (width, &[]), across, &panels, |panel, place| {
         draw_panel(panel, family, &family.panels[place], varied.len())
     })
 }
@@ -135,7 +136,7 @@ fn draw_panel(
     });
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     for (first, points) in &strands {
-        let width = pen(Bifurcation::SaddleNode).width;
+        let width = CurveLook::of(Bifurcation::SaddleNode).width;
         let pen = Pen { colour: shade(&varied(first).1), width, dashes: &[], round: true };
         let pieces = panel.draw_series(panel.curve(points, pen))?.pieces;
         pieces.iter().for_each(|piece| labels.placer.keep_off(piece));
@@ -219,7 +220,7 @@ fn points(
         let curves = row.kind.curves();
         let kind = if curves.contains(&Bifurcation::Torus) { Bifurcation::Torus } else { curves[0] };
         let place = (value, row.secondary);
-        let (spot, paint) = (panel.spot(place), Paint::opaque(pale(pen(kind).colour, 0.35)));
+        let (spot, paint) = (panel.spot(place), Paint::opaque(pale(CurveLook::of(kind).colours[0], 0.35)));
         panel.draw_series([Disc::new(place, 0.7 * POINT_RADIUS, paint, Some(POINT_RIM))])?;
         labels.placer.avoid([spot].into_iter());
         match named.iter_mut().find(|(name, ..)| *name == row.kind) {

@@ -1,15 +1,9 @@
 //! Options by which figures of an oscillator differ from the paper's.
 
-use std::borrow::Cow;
-
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::{FigureStyle, Named};
-use grazing_results::kinds::{Colour, CurveLook, darker};
 use grazing_results::plane::RegionKind;
 
-use crate::ink::sheet::{Element, Sheet};
 use crate::ink::style::SheetWidth;
-use crate::ink::svg::hex;
 
 /// The width of sheets, and the style of two-parameter diagrams and magnifications on them.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,48 +43,16 @@ impl Look {
     pub(crate) fn shows(&self, kind: RegionKind) -> bool {
         self.style.shading || kind == RegionKind::Undecided
     }
-
-    /// Replaces the colours of curves, of their labels and of their approximations on a sheet.
-    pub(crate) fn coloured(&self, mut sheet: Sheet) -> Sheet {
-        let exchanged = |&(kind, colour): &(Bifurcation, Colour)| {
-            let look = CurveLook::of(kind);
-            let [approximation, _] = look.approximation();
-            [(look.colours[0], colour), (look.text, colour), (approximation, darker(colour))]
-        };
-        let exchanged: Vec<_> = self.style.colours.iter().flat_map(exchanged).collect();
-        let exchanged: Vec<_> = exchanged.into_iter().map(|(from, to)| (hex(from), hex(to))).collect();
-        let coloured = |text: &mut String| {
-            if let Cow::Owned(changed) = with_colours(text, &exchanged) {
-                *text = changed;
-            }
-        };
-        for element in &mut sheet.elements {
-            match element {
-                Element::Markup(text) => coloured(text),
-                Element::Path(path) => coloured(&mut path.attributes),
-                Element::Panel(_) => {}
-            }
-        }
-        sheet.legend.iter_mut().for_each(|(_, sample)| coloured(sample));
-        sheet
-    }
-}
-
-/// Replaces colours in a text, each occurrence once, so that two colours can be exchanged.
-fn with_colours<'a>(text: &'a str, exchanged: &[(String, String)]) -> Cow<'a, str> {
-    let mut changed = Cow::Borrowed(text);
-    for (place, _) in text.match_indices('#') {
-        let known = exchanged.iter().find(|(from, _)| text[place..].starts_with(from.as_str()));
-        if let Some((from, to)) = known {
-            changed.to_mut().replace_range(place..place + from.len(), to);
-        }
-    }
-    changed
 }
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::bifurcation::Bifurcation;
+    use grazing_results::kinds::CurveLook;
+
     use super::*;
+    use crate::ink::sheet::Sheet;
+    use crate::ink::svg::hex;
     use crate::tests::inspection::paths;
     use crate::tests::sample_oscillator::{SampleOscillator, UNIT, oscillators, sample};
     use crate::{draw_diagram, draw_magnifications};

@@ -51,10 +51,10 @@ pub fn draw_magnifications(
     let [across, up] = &heading.names.titles();
     let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, up, None);
     let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
-    let sheets = draw_panels(heading, look.columns, across, &panels, |panel, place| {
+    let style = (look.columns, look.style.colours.as_slice());
+    draw_panels(heading, style, across, &panels, |panel, place| {
         draw_panel(panel, figure, heading, figure.panels[place].panel, look)
-    })?;
-    Ok(sheets.into_iter().map(|sheet| look.coloured(sheet)).collect())
+    })
 }
 
 /// The panel of a resonance, with p, n and coefficients above it; on an axis of decades its range is
@@ -105,7 +105,7 @@ pub fn draw_straightened(
     let panel = |panel: &MagnifiedPanel| grid_panel(panel, heading, &up, Some(decades));
     let panels: Vec<_> = figure.panels.iter().map(panel).collect::<Result<_, DrawingError>>()?;
     let heading = Heading { tables: &[], ..*heading };
-    draw_panels(&heading, width, &across, &panels, |panel, place| {
+    draw_panels(&heading, (width, &[]), &across, &panels, |panel, place| {
         let MagnifiedPanel { panel: number, loops, .. } = figure.panels[place];
         let mut labels = Labels::new(panel.canvas, panel.bounds);
         let grazing = vec![(0.0, panel.frame.y[0]), (0.0, panel.frame.y[1])];

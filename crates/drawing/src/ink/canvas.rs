@@ -4,6 +4,8 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::kinds::CurveLook;
 use plotters::coord::CoordTranslate;
 use plotters::drawing::IntoDrawingArea;
 use plotters::element::{Drawable, PointCollection};
@@ -40,6 +42,8 @@ pub struct Canvas {
     pub width: f64,
     /// The height of the sheet, in points.
     pub height: f64,
+    /// The colours of kinds of curves that do not have the usual one.
+    colours: Rc<[(Bifurcation, Colour)]>,
     drawn: Rc<Drawn>,
 }
 
@@ -73,7 +77,26 @@ impl Canvas {
     /// The embedded fonts cannot be read.
     pub fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
         let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
-        Ok(Canvas { fonts: Rc::new(Fonts::load()?), width, height, drawn: Rc::default() })
+        Ok(Canvas {
+            fonts: Rc::new(Fonts::load()?),
+            width,
+            height,
+            colours: Rc::default(),
+            drawn: Rc::default(),
+        })
+    }
+
+    /// The sheet with other colours of kinds of curves.
+    #[must_use]
+    pub(crate) fn coloured(self, colours: &[(Bifurcation, Colour)]) -> Self {
+        Canvas { colours: colours.into(), ..self }
+    }
+
+    /// The look of a kind of curve on this sheet.
+    pub(crate) fn look(&self, kind: Bifurcation) -> CurveLook {
+        let look = CurveLook::of(kind);
+        let own = self.colours.iter().find(|(of, _)| *of == kind);
+        own.map_or(look, |(_, colour)| look.coloured(*colour))
     }
 
     /// Draws an element of plotters whose coordinates are points from the top left corner.

@@ -40,7 +40,7 @@ fn targets(curve: &[Spot]) -> impl Iterator<Item = Spot> {
 
 /// The labels positioned so far.
 pub struct Labels<'c> {
-    canvas: &'c Canvas,
+    pub(crate) canvas: &'c Canvas,
     /// The objects that labels avoid.
     pub placer: Placer,
     /// The greatest distance of a label from its spot, in points.

@@ -6,6 +6,7 @@ use plotters::element::EmptyElement;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::branches::{BranchPoint, OneParameter};
+use grazing_results::kinds::CurveLook;
 use grazing_results::readings::Sweep;
 use grazing_results::{Names, Stability};
 
@@ -20,7 +21,7 @@ use crate::ink::style::{
 };
 use crate::plot::axes::Panel;
 use crate::plot::cloud::{LONG_TIME, draw_cloud};
-use crate::plot::kinds::{label, pen, text_colour};
+use crate::plot::kinds::{label, text_colour};
 
 /// The number of dots of which one is named.
 const NAMED_DOTS: usize = 40;
@@ -106,7 +107,7 @@ pub(crate) fn diagram(
         .filter(|(_, _, point)| panel.frame.contains(*point))
         .collect();
     let disc = |&(kind, _, point): &(Bifurcation, Numbers, (f64, f64))| {
-        Disc::new(point, POINT_RADIUS, Paint::opaque(pen(kind).colour), Some(POINT_RIM))
+        Disc::new(point, POINT_RADIUS, Paint::opaque(CurveLook::of(kind).colours[0]), Some(POINT_RIM))
     };
     for spot in panel.draw_series(visible.iter().map(disc))?.pieces.concat() {
         labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));

@@ -17,21 +17,19 @@ use crate::ink::style::{
 };
 use crate::plot::axes::Panel;
 
-pub(crate) fn pen(bifurcation: Bifurcation) -> Pen {
-    let look = CurveLook::of(bifurcation);
+pub(crate) fn pen(look: &CurveLook) -> Pen {
     Pen::dashed(look.colours[0], look.width, look.dashes)
 }
 
 /// The pen of the quadratic approximation to a curve.
-fn approximation(bifurcation: Bifurcation) -> Pen {
-    let [on_light, _] = CurveLook::of(bifurcation).approximation();
+fn approximation(look: &CurveLook) -> Pen {
+    let [on_light, _] = look.approximation();
     Pen::dashed(on_light, CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES)
 }
 
 /// The pen of a grazing curve where the grazing solution is not stable.
-fn dotted(bifurcation: Bifurcation) -> Pen {
-    let [colour, _] = CurveLook::of(bifurcation).colours;
-    Pen::dashed(colour, CurveLook::DOT, CurveLook::DOTS)
+fn dotted(look: &CurveLook) -> Pen {
+    Pen::dashed(look.colours[0], CurveLook::DOT, CurveLook::DOTS)
 }
 
 /// The colour of the label of a curve.
@@ -121,14 +119,15 @@ pub fn draw_curves(
     curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.of));
     let mut drawn = Vec::new();
     for Trace { kind, of, points } in &curves {
+        let look = panel.canvas.look(*kind);
         let (pen, meaning) = match of {
-            TraceOf::Bifurcation => (pen(*kind), meaning(*kind)),
+            TraceOf::Bifurcation => (pen(&look), meaning(*kind)),
             TraceOf::UnstableGrazing | TraceOf::NeutralGrazing => {
                 let stability = if *of == TraceOf::NeutralGrazing { "neutral" } else { "unstable" };
-                (dotted(*kind), format!("{}, where that is {stability}", CurveLook::of(*kind).meaning))
+                (dotted(&look), format!("{}, where that is {stability}", look.meaning))
             }
             TraceOf::Approximation => {
-                (approximation(*kind), format!("quadratic approximation to {}", kind.name()))
+                (approximation(&look), format!("quadratic approximation to {}", kind.name()))
             }
         };
         let lines = panel.curve(points, pen);
@@ -182,7 +181,8 @@ impl Labels<'_> {
             }
             let large = kind == Bifurcation::NonImpactingGrazing;
             let size = if large { LABEL_SIZE } else { SMALL_LABEL_SIZE };
-            self.add(label(kind, grazing), size, text_colour(kind), &Site::Beside(&piece))?;
+            let colour = self.canvas.look(kind).text;
+            self.add(label(kind, grazing), size, colour, &Site::Beside(&piece))?;
             named.push((kind, piece));
         }
         Ok(())

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::{Frame, Names};
 
 use crate::error::DrawingError;
@@ -10,7 +11,7 @@ use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::font::Fonts;
 use crate::ink::markup::Label;
 use crate::ink::sheet::Sheet;
-use crate::ink::style::{BLACK, SheetWidth};
+use crate::ink::style::{BLACK, Colour, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
 use crate::plot::axes::{Heading, Panel, overhang, room_for};
 use crate::plot::numbers::{Decades, Numbers};
@@ -92,11 +93,11 @@ impl GridPanel<'_> {
     }
 }
 
-/// Draws panels over one parameter on as many sheets as needed, none if there is no panel; `draw`
-/// receives each panel with its number from 0. If there are several sheets, their titles are numbered.
+/// Draws panels over one parameter on as many sheets as needed, with other colours of kinds of curves, none if there is
+/// no panel; `draw` receives each panel with its number from 0. If there are several sheets, their titles are numbered.
 pub(crate) fn draw_panels(
     heading: &Heading<'_>,
-    width: SheetWidth,
+    (width, colours): (SheetWidth, &[(Bifurcation, Colour)]),
     across: &str,
     panels: &[GridPanel<'_>],
     draw: impl Fn(&mut Panel<'_>, usize) -> Result<(), DrawingError>,
@@ -114,7 +115,7 @@ pub(crate) fn draw_panels(
         if split {
             grid.further += SUBHEADING_LEADING;
         }
-        let canvas = Canvas::new(grid.width_mm, grid.height_mm())?;
+        let canvas = Canvas::new(grid.width_mm, grid.height_mm())?.coloured(colours);
         for (place, shown) in shown.iter().enumerate() {
             let GridPanel { frame, only, decades, .. } = *shown;
             let columns = shown.names.and_then(Names::columns);

@@ -56,8 +56,11 @@ fn a_legend_shows_each_kind_with_the_pen_that_its_curves_are_drawn_with() {
     let all = drawn(&sample);
     for (kind, meaning) in kinds {
         let colour = hexadecimal(CurveLook::of(kind).colours[0]);
-        assert_eq!(explained(&all, meaning), sampled(line(pen(kind))), "{meaning}");
-        assert!(sampled(line(pen(kind))).is_some_and(|line| line.contains(&colour)), "{meaning}");
+        assert_eq!(explained(&all, meaning), sampled(line(pen(&CurveLook::of(kind)))), "{meaning}");
+        assert!(
+            sampled(line(pen(&CurveLook::of(kind)))).is_some_and(|line| line.contains(&colour)),
+            "{meaning}"
+        );
         assert!(!paths(&all.svg(), &colour).is_empty(), "{meaning}");
     }
     // Without its curves a kind has no ink and no entry, and other kinds are not affected.
