@@ -11,8 +11,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
-use grazing_results::Dimensioned;
-use grazing_results::plane::{OwnPoint, PlanePoint, RegionVertex, SequenceVertex, Vertex};
+use grazing_results::plane::{OwnPoint, PlanePoint, SequenceVertex, Vertex};
+use grazing_results::{Dimensioned, Row};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
@@ -20,7 +20,7 @@ use grazing_unfold::progress::Progress;
 use grazing_unfold::sequences::of_diagram;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::answer::{Problem, told};
 use crate::events::Events;
@@ -188,7 +188,7 @@ impl Shown {
             let rows = plane::regions(axes, &diagram.regions);
             let regions = rows.chunk_by(|a, b| a.region == b.region);
             let own = regions.filter(|rows| plane::counts(rows[0].loops, diagram.wall));
-            self.regions.extend(own.map(region));
+            self.regions.extend(own.map(|rows| Value::Object(region(rows, |row| &row.at))));
         }
         self.approximations.extend(approximations(axes, diagram));
     }
@@ -311,14 +311,11 @@ fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
     grazing.chain(others)
 }
 
-fn region(rows: &[RegionVertex]) -> Value {
-    json!({
-        "kind": rows[0].kind.name(),
-        "p": rows[0].loops,
-        "n": rows[0].n,
-        "rings": Vertex::rings(rows.iter().map(|row| &row.at)),
-        "reason": rows[0].at.reason,
-    })
+/// A region, with what its vertices have in common and its border.
+fn region<R: Row>(rows: &[R], at: fn(&R) -> &Vertex) -> Map<String, Value> {
+    let mut region = told(&rows[0]);
+    region.insert("rings".to_owned(), json!(Vertex::rings(rows.iter().map(at))));
+    region
 }
 
 /// The regions of solutions with several impacts, and the curves of those that hit both of two walls.
@@ -331,14 +328,9 @@ fn several(
     let found = of_diagram(diagram, generations, progress);
     let regions = sequences::rows(&found, &axes.units, diagram.wall).regions;
     let one = |rows: &[SequenceVertex]| {
-        let first = &rows[0];
-        json!({
-            "kind": first.kind.name(),
-            "p": first.periods,
-            "name": first.name(),
-            "rings": Vertex::rings(rows.iter().map(|row| &row.at)),
-            "reason": first.at.reason,
-        })
+        let mut region = region(rows, |row| &row.at);
+        region.insert("name".to_owned(), json!(rows[0].name()));
+        Value::Object(region)
     };
     let both = sequences::at_both_walls(&found, &axes.units);
     let both = both.chunk_by(|a, b| a.at.arc == b.at.arc).map(|rows| {
