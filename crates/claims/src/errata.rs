@@ -108,11 +108,20 @@ pub fn count<'a>(claims: impl IntoIterator<Item = &'a Claim>) -> usize {
 
 /// A measurement in words: the measured quantity, and the value that it is compared with.
 pub fn words(measure: &Measure) -> (String, String) {
+    words_with(measure, &|value, digits| format!("{value:.*e}", digits - 1))
+}
+
+/// The same, with numbers of any magnitude as `scientific` writes them with so many digits.
+pub fn words_with(measure: &Measure, scientific: &dyn Fn(f64, usize) -> String) -> (String, String) {
     match *measure {
         Measure::Deviation { largest, tolerance } => {
             let nothing = largest.is_nan();
-            let measured = if nothing { "no number".to_owned() } else { format!("deviation {largest:.1e}") };
-            (measured, format!("at most {tolerance:.0e}"))
+            let measured = if nothing {
+                "no number".to_owned()
+            } else {
+                format!("deviation {}", scientific(largest, 2))
+            };
+            (measured, format!("at most {}", scientific(tolerance, 1)))
         }
         Measure::Order { observed, stated, slack } => {
             let unseen = observed.is_infinite();
@@ -120,7 +129,7 @@ pub fn words(measure: &Measure) -> (String, String) {
                 if unseen { "remainder below rounding".to_owned() } else { format!("order {observed:.2}") };
             (measured, format!("order {stated} − {slack}"))
         }
-        Measure::Margin { smallest } => (format!("margin {smallest:.1e}"), "above 0".to_owned()),
+        Measure::Margin { smallest } => (format!("margin {}", scientific(smallest, 2)), "above 0".to_owned()),
         Measure::Agreement { agreeing, cases } => (format!("{agreeing} of {cases} cases"), "all".to_owned()),
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use grazing_drawing::{PanelMark, Sheet};
 use grazing_results::columns::HYPOTHESIS;
-use grazing_results::{Cell, Column, Table, brief};
+use grazing_results::{Cell, Column, Scientific, Table, brief};
 use miniz_oxide::deflate::compress_to_vec;
 
 use crate::columns::name;
@@ -75,16 +75,11 @@ pub(crate) fn column_names(report: &Report<'_>) -> String {
 /// The digits at which a point keeps its place in every panel.
 fn digits(sheet: &Sheet) -> usize {
     let along = |[low, high]: [f64; 2]| {
-        let powers = exponent(low.abs().max(high.abs()) / (high - low).abs());
+        let powers = Scientific::of(low.abs().max(high.abs()) / (high - low).abs()).exponent;
         usize::try_from(powers + 1 + DIGITS_ALONG_AXIS).unwrap_or(LEAST_DIGITS)
     };
     let ranges = sheet.panels().flat_map(|panel| [panel.frame.x, panel.frame.y]);
     ranges.map(along).max().unwrap_or(LEAST_DIGITS).clamp(LEAST_DIGITS, MOST_DIGITS)
-}
-
-/// The power of ten in a number.
-fn exponent(number: f64) -> i32 {
-    format!("{number:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
 }
 
 /// The tables as JSON, compressed, in letters; empty if there are none.
@@ -135,7 +130,8 @@ fn differences<'a>(cells: impl Iterator<Item = &'a Cell>, digits: usize) -> Opti
     let numbers = |cell: &Cell| matches!(cell, Cell::Number(_)).then(|| cell.number());
     let numbers: Vec<Option<f64>> = cells.map(numbers).collect::<Option<_>>()?;
     let largest = numbers.iter().flatten().fold(0.0_f64, |largest, number| largest.max(number.abs()));
-    let decimals = usize::try_from(i32::try_from(digits).ok()? - 1 - exponent(largest)).unwrap_or(0);
+    let decimals =
+        usize::try_from(i32::try_from(digits).ok()? - 1 - Scientific::of(largest).exponent).unwrap_or(0);
     let whole = |number: f64| format!("{number:.decimals$}").replace('.', "").parse::<i64>().ok();
     let mut values = Vec::new();
     for number in numbers {

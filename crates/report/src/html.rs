@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 use std::fmt::{self, Write};
 
 use askama::filters::{Escaper, Safe};
-use grazing_results::{Table, directs};
+use grazing_results::{Scientific, Table, directs};
 
 /// Text that is markup; values of any other type are escaped in templates.
 pub(crate) type Html = Safe<String>;
@@ -93,24 +93,26 @@ fn rounded(value: f64, digits: usize) -> String {
         let infinite = if value > 0.0 { "∞" } else { "−∞" };
         return if value.is_nan() { "not a number" } else { infinite }.to_owned();
     }
-    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let Scientific { mantissa, exponent } = Scientific::rounded(value, digits);
     let text = if (-3..6).contains(&exponent) {
         let decimals = i32::try_from(digits).unwrap_or(17) - 1 - exponent;
         trimmed(&format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))).to_owned()
     } else {
-        let power = exponent.to_string().replace('-', "−");
-        match trimmed(mantissa) {
-            "1" => format!("10<sup>{power}</sup>"),
-            "-1" => format!("-10<sup>{power}</sup>"),
-            mantissa => format!("{mantissa} × 10<sup>{power}</sup>"),
+        match trimmed(&mantissa) {
+            "1" => power(exponent),
+            "-1" => format!("-{}", power(exponent)),
+            mantissa => format!("{mantissa} × {}", power(exponent)),
         }
     };
     match text.strip_prefix('-') {
         Some(rest) => format!("−{rest}"),
         None => text,
     }
+}
+
+/// The power of ten with this exponent.
+pub(crate) fn power(exponent: i32) -> String {
+    format!("10<sup>{}</sup>", exponent.to_string().replace('-', "−"))
 }
 
 /// The digits without zeros at the end of the decimals.

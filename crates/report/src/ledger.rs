@@ -8,8 +8,9 @@ use grazing_claims::errata;
 use grazing_claims::ledger::Claim;
 use grazing_claims::outcome::Measure;
 use grazing_claims::source::Location;
+use grazing_results::Scientific;
 
-use crate::html::{Html, escape, identifier};
+use crate::html::{Html, escape, identifier, power};
 use crate::report::Report;
 
 /// The state of a claim after the tests.
@@ -64,19 +65,14 @@ fn distinct<'a>(words: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 
 /// A measurement with the value that it is compared with.
 pub(crate) fn measured(measure: &Measure) -> Html {
-    let (measured, against) = errata::words(measure);
-    Safe(format!("<b>{}</b>, required: {}", powers(&measured), powers(&against)))
-}
-
-/// Words, with the powers of numbers in scientific notation raised.
-fn powers(text: &str) -> String {
-    let shown = |word: &str| match word.split_once('e') {
-        Some((mantissa, power)) if word.parse::<f64>().is_ok() => {
-            format!("{mantissa} × 10<sup>{}</sup>", power.replace('-', "−"))
+    let raised = |value: f64, digits: usize| match Scientific::rounded(value, digits) {
+        Scientific { mantissa, exponent } if value.is_finite() => {
+            format!("{mantissa} × {}", power(exponent))
         }
-        _ => escape(word),
+        Scientific { mantissa, .. } => mantissa,
     };
-    text.split(' ').map(shown).collect::<Vec<_>>().join(" ")
+    let (measured, against) = errata::words_with(measure, &raised);
+    Safe(format!("<b>{measured}</b>, required: {against}"))
 }
 
 /// Links to source files and figures, with a word before each kind.

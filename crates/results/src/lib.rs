@@ -39,6 +39,7 @@ pub mod place;
 pub mod plane;
 pub mod readings;
 pub mod resonance;
+mod scientific;
 pub mod space;
 #[doc(hidden)]
 pub mod table;
@@ -49,5 +50,6 @@ pub use columns::Column;
 pub use dimension::{Dimension, Dimensioned, Field};
 pub use frame::{Frame, span};
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol, with_unit};
+pub use scientific::Scientific;
 pub use table::{Row, Table, TablePlan, Tables};
 pub use title::Title;

@@ -7,7 +7,7 @@ use askama::Template;
 use grazing_drawing::Sheet;
 use grazing_results::columns::{LOOPS, RESONANCE_INDEX};
 use grazing_results::title::{Part, Place, parts};
-use grazing_results::{Cell, Column, GREEK, Table, Title, raised, symbol};
+use grazing_results::{Cell, Column, GREEK, Scientific, Table, Title, raised, symbol};
 
 use crate::folder::{self, OutputFile};
 use crate::template::rendered;
@@ -103,10 +103,9 @@ fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
             let places = usize::try_from(decimals).unwrap_or(0);
             return format!("${number:.places$}$");
         }
-        let places = usize::try_from(DIGITS - 1).unwrap_or(0);
-        let printed = format!("{number:.places$e}");
-        let (mantissa, power) = printed.split_once('e').unwrap_or((&printed, "0"));
-        format!(r"${mantissa}\times10^{{{power}}}$")
+        let Scientific { mantissa, exponent } =
+            Scientific::rounded(number, usize::try_from(DIGITS).unwrap_or(1));
+        format!(r"${mantissa}\times10^{{{exponent}}}$")
     };
     let shown = |number: &Option<f64>| number.filter(|number| number.is_finite()).map(print);
     numbers.iter().map(|number| shown(number).unwrap_or_default()).collect()

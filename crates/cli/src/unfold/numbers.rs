@@ -1,18 +1,17 @@
 //! Numbers formatted for reading.
 
-use grazing_results::{Names, brief, with_unit};
+use grazing_results::{Names, Scientific, brief, with_unit};
 
 /// The value with exactly this many significant digits, for a column.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "-".to_owned();
     }
-    let scientific = format!("{:.*e}", digits - 1, value + 0.0);
-    let exponent = exponent(&scientific);
-    let decimals = digits as i32 - 1 - exponent;
+    let scientific = Scientific::rounded(value + 0.0, digits);
+    let decimals = digits as i32 - 1 - scientific.exponent;
     match usize::try_from(decimals) {
-        Ok(decimals) if exponent >= -4 => format!("{:.decimals$}", value + 0.0),
-        _ => scientific,
+        Ok(decimals) if scientific.exponent >= -4 => format!("{:.decimals$}", value + 0.0),
+        _ => scientific.to_string(),
     }
 }
 
@@ -38,10 +37,8 @@ pub(crate) fn with_error(value: f64, error: f64) -> String {
     if !(error > 0.0 && error.is_finite() && value.is_finite()) {
         return format!("{} ± {}", brief(value, 8), if error == 0.0 { "0" } else { "not known" });
     }
-    let rounded = format!("{error:.1e}");
-    let exponent = exponent(&rounded);
-    let size = value.abs().max(error);
-    let power = exponent_of(size);
+    let exponent = Scientific::rounded(error, 2).exponent;
+    let power = Scientific::of(value.abs().max(error)).exponent;
     if (-4..=5).contains(&power) && exponent <= 1 {
         let decimals = usize::try_from(1 - exponent).unwrap_or(0);
         return format!("{value:.decimals$} ± {error:.decimals$}");
@@ -49,16 +46,6 @@ pub(crate) fn with_error(value: f64, error: f64) -> String {
     let decimals = usize::try_from(power - exponent + 1).unwrap_or(0);
     let unit = libm::pow(10.0, f64::from(power));
     format!("({:.decimals$} ± {:.decimals$})e{power}", value / unit, error / unit)
-}
-
-/// The power of ten in a number written with one.
-fn exponent(scientific: &str) -> i32 {
-    scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
-}
-
-/// The power of ten of a number.
-fn exponent_of(value: f64) -> i32 {
-    exponent(&format!("{value:e}"))
 }
 
 #[cfg(test)]

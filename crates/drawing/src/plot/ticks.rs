@@ -1,5 +1,7 @@
 //! Round steps for ticks, including both ends of the axis if they are round, and numbers as printed.
 
+use grazing_results::Scientific;
+
 /// A step: `mantissa` times ten to the power of `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Step {
@@ -49,8 +51,7 @@ impl Step {
     pub(crate) fn round_steps(length: f64) -> impl Iterator<Item = Step> {
         // The exponent in scientific notation is the floor of the decimal logarithm, obtained without
         // computing one.
-        let exponent: i32 =
-            format!("{length:e}").rsplit('e').next().and_then(|e| e.parse().ok()).unwrap_or(0);
+        let Scientific { exponent, .. } = Scientific::of(length);
         (exponent - 2..=exponent + 1)
             .flat_map(|exponent| [1, 2, 5].map(|mantissa| Step { mantissa, exponent }))
     }
@@ -86,9 +87,8 @@ pub(crate) fn scientific(mut units: i128, mut exponent: i32) -> String {
 /// A number with this many significant digits in markup within `$`: plain between a thousandth and a
 /// hundred thousand, with a power of ten beyond.
 pub(crate) fn measured(value: f64, digits: usize) -> String {
-    let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    if value == 0.0 || exponent.parse().is_ok_and(|exponent: i32| (-3..=4).contains(&exponent)) {
+    let Scientific { mantissa, exponent } = Scientific::rounded(value.abs(), digits);
+    if (-3..=4).contains(&exponent) {
         return significant(value, digits);
     }
     let sign = if value < 0.0 { "−" } else { "" };
@@ -97,9 +97,8 @@ pub(crate) fn measured(value: f64, digits: usize) -> String {
 
 /// A number with this many significant digits, as printed in running text (with a true minus sign).
 pub(crate) fn significant(value: f64, digits: usize) -> String {
-    let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
-    let exponent: i64 = scientific.rsplit('e').next().and_then(|e| e.parse().ok()).unwrap_or(0);
-    let decimals = (digits as i64 - 1 - exponent).max(0) as usize;
+    let Scientific { exponent, .. } = Scientific::rounded(value.abs(), digits);
+    let decimals = (digits as i64 - 1 - i64::from(exponent)).max(0) as usize;
     let sign = if value < 0.0 { "−" } else { "" };
     format!("{sign}{:.decimals$}", value.abs())
 }
