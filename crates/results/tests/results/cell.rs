@@ -22,5 +22,5 @@ fn scientific_numbers_have_one_digit_before_the_point() {
     ] {
         assert_eq!((&*number.mantissa, number.exponent), (mantissa, exponent));
     }
-    assert_eq!(Scientific::rounded(-1.25e-9, 2).to_string(), "-1.2e-9");
+    assert_eq!(Scientific::rounded(-1.234e-9, 3).to_string(), "-1.23e-9");
 }
