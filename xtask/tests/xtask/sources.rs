@@ -33,6 +33,8 @@ pub(crate) struct Sources {
     exported: BTreeMap<String, usize>,
     /// Macros that print, by file.
     pub(crate) prints: BTreeSet<(String, String)>,
+    /// What takes a text apart that was written just before, by file.
+    pub(crate) taken_apart: BTreeSet<(String, String)>,
 }
 
 /// What a path leads to.
@@ -44,6 +46,27 @@ enum Target {
 
 const ITEMS: [&str; 9] = ["struct", "enum", "union", "fn", "const", "static", "type", "trait", "macro_rules"];
 const PRINTING: [&str; 5] = ["print", "println", "eprint", "eprintln", "dbg"];
+/// What looks for something in a text.
+const TAKING_APART: [&str; 18] = [
+    "contains",
+    "ends_with",
+    "find",
+    "match_indices",
+    "matches",
+    "rfind",
+    "rsplit",
+    "rsplit_once",
+    "rsplitn",
+    "split",
+    "split_once",
+    "split_whitespace",
+    "splitn",
+    "starts_with",
+    "strip_prefix",
+    "strip_suffix",
+    "trim_end_matches",
+    "trim_start_matches",
+];
 
 impl Sources {
     /// Reads a root file and all modules that it declares, each by `text`, which knows what is in a file.
@@ -72,6 +95,8 @@ impl Sources {
     /// Reads the tokens of a module, and what it declares as modules in files of their own.
     fn scan(&mut self, tokens: TokenStream, at: Path, file: usize, declared: &mut Vec<Path>) {
         let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+        let taken = taken_apart(&tokens).into_iter().map(|how| (self.files[file].clone(), how));
+        self.taken_apart.extend(taken);
         self.modules.entry(at.clone()).or_default().file = file;
         let child = |name: &str| at.iter().cloned().chain([name.to_owned()]).collect::<Path>();
         let mut k = 0;
@@ -317,6 +342,87 @@ pub(crate) fn shortest_circle(used: &[BTreeSet<usize>], file: usize) -> Option<V
         }
     }
     None
+}
+
+/// Whether a token is this sign.
+fn is_sign(token: Option<&TokenTree>, sign: char) -> bool {
+    matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == sign)
+}
+
+/// Whether the tokens end with a text that is written there: `x.to_string()` or `format!("{x}")`.
+fn writes_text(tokens: &[TokenTree]) -> bool {
+    match tokens {
+        [.., dot, TokenTree::Ident(word), TokenTree::Group(_)] if *word == "to_string" => {
+            is_sign(Some(dot), '.')
+        }
+        [.., TokenTree::Ident(word), sign, TokenTree::Group(_)] => {
+            *word == "format" && is_sign(Some(sign), '!')
+        }
+        _ => false,
+    }
+}
+
+/// How a text, which ends before these tokens, is taken apart by them.
+fn taking_apart(tokens: &[TokenTree]) -> Option<String> {
+    let (dot, TokenTree::Ident(method)) = (tokens.first(), tokens.get(1)?) else { return None };
+    let method = method.to_string();
+    (is_sign(dot, '.') && TAKING_APART.contains(&&*method)).then_some(method)
+}
+
+/// How texts are taken apart that are written in the same place, or kept in a variable of the same block.
+fn taken_apart(tokens: &[TokenTree]) -> Vec<String> {
+    let direct = (1..tokens.len()).filter(|k| writes_text(&tokens[..*k]));
+    let direct = direct.filter_map(|k| taking_apart(&tokens[k..])).map(|method| format!("text.{method}"));
+    let bindings =
+        (0..tokens.len()).filter(|k| matches!(&tokens[*k], TokenTree::Ident(word) if *word == "let"));
+    let kept = bindings.flat_map(|k| {
+        let length = tokens[k..].iter().position(|token| is_sign(Some(token), ';'));
+        let (binding, rest) = tokens[k..].split_at(length.unwrap_or(tokens.len() - k));
+        texts(binding).into_iter().flat_map(|name| looked_into(&name, rest)).collect::<Vec<_>>()
+    });
+    direct.chain(kept).collect()
+}
+
+/// The variables of a `let` that are texts written there: its only one, or some of a tuple.
+fn texts(binding: &[TokenTree]) -> Vec<String> {
+    let Some(equals) = binding.iter().position(|token| is_sign(Some(token), '=')) else { return Vec::new() };
+    let (names, values) = (&binding[1..equals], &binding[equals + 1..]);
+    let name = |tokens: &[TokenTree]| {
+        let mut words =
+            tokens.iter().filter(|token| matches!(token, TokenTree::Ident(word) if *word != "mut"));
+        words.next().map(ToString::to_string)
+    };
+    match (names, values) {
+        ([TokenTree::Group(names)], [TokenTree::Group(values)]) => {
+            let [names, values] = [names, values].map(|group| group.stream().into_iter().collect::<Vec<_>>());
+            let [names, values] = [&names, &values].map(|all| all.split(|token| is_sign(Some(token), ',')));
+            names.zip(values).filter(|(_, value)| writes_text(value)).filter_map(|(of, _)| name(of)).collect()
+        }
+        _ => name(names).filter(|_| writes_text(values)).into_iter().collect(),
+    }
+}
+
+/// How a variable is taken apart in these tokens, until another one has its name.
+fn looked_into(name: &str, tokens: &[TokenTree]) -> Vec<String> {
+    let mut found = Vec::new();
+    for (k, token) in tokens.iter().enumerate() {
+        match token {
+            TokenTree::Group(group) => {
+                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+                found.extend(looked_into(name, &inner));
+            }
+            TokenTree::Ident(word) if *word == name => {
+                let before = k.checked_sub(1).map(|k| &tokens[k]);
+                if matches!(before, Some(TokenTree::Ident(word)) if *word == "let" || *word == "mut") {
+                    break;
+                }
+                let how = taking_apart(&tokens[k + 1..]).filter(|_| !is_sign(before, '.'));
+                found.extend(how.map(|method| format!("{name}.{method}")));
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// Whether a group after `pub` says for whom, as `(crate)` does.

@@ -45,19 +45,37 @@ const TERMINALS: [&str; 3] = ["crates/cli/src/terminal.rs", "crates/trials/src/m
 
 /// The uses of any of these parts of std, by file.
 fn uses(sources: &Sources, parts: &[&str]) -> BTreeSet<(String, String)> {
-    let of = |path: &str| {
-        parts.iter().any(|part| {
-            let rest = path.strip_prefix("std::").and_then(|path| path.strip_prefix(part));
-            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
-        })
-    };
-    sources.external().into_iter().filter(|(_, path)| of(path)).collect()
+    let parts: Vec<String> = parts.iter().map(|part| format!("std::{part}")).collect();
+    knowing(sources, &parts.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
 /// What writes to the terminal, by file.
 fn writes(sources: &Sources) -> impl Iterator<Item = (String, String)> {
     let own = |(file, _): &(String, String)| !TERMINALS.contains(&&**file);
     sources.prints.iter().cloned().chain(uses(sources, &STREAMS)).filter(own)
+}
+
+/// Files that look into a text which they write, since it is the only way to what another library knows: the digits of a
+/// number, causes that an error repeats, and what cargo says.
+const LOOKING: [&str; 3] =
+    ["crates/certify/src/statement.rs", "crates/cli/src/failure.rs", "crates/trials/src/errors.rs"];
+
+/// What only one place knows: the beginnings of its paths, and that place.
+const KNOWN_ONCE: [(&[&str], &str); 3] = [
+    (&["polars", "polars_arrow", "polars_parquet"], "crates/cli/src/tables.rs"),
+    (&["plotters", "plotters_backend"], "crates/drawing/"),
+    (&["std::net", "tokio", "hyper", "hyper_util", "http_body_util"], "crates/explore/src/server"),
+];
+
+/// Whether a path is this part, or lies in it.
+fn lies_in(path: &str, part: &str) -> bool {
+    path.strip_prefix(part).is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
+}
+
+/// The uses of any of these, by file.
+fn knowing(sources: &Sources, parts: &[&str]) -> BTreeSet<(String, String)> {
+    let known = |(_, path): &(String, String)| parts.iter().any(|part| lies_in(path, part));
+    sources.external().into_iter().filter(known).collect()
 }
 
 #[test]
@@ -108,6 +126,30 @@ fn one_file_of_a_program_writes_to_the_terminal() {
     let files: BTreeSet<_> =
         all().flat_map(|sources| uses(sources, &STREAMS)).map(|(file, _)| file).collect();
     assert!(files.contains(TERMINALS[0]), "it is found where it may be: {files:?}");
+}
+
+#[test]
+fn nothing_takes_apart_a_text_that_it_writes() {
+    let all = || CRATES.values().flatten().flat_map(|sources| &sources.taken_apart);
+    let found: Vec<_> = all().filter(|(file, _)| !LOOKING.contains(&&**file)).collect();
+    assert!(found.is_empty(), "{found:#?}");
+    let exceptions: BTreeSet<_> = all().map(|(file, _)| &**file).collect();
+    assert_eq!(exceptions, BTreeSet::from(LOOKING), "exceptions that are none");
+}
+
+#[test]
+fn what_one_place_knows_no_other_does() {
+    for (parts, place) in KNOWN_ONCE {
+        let found: BTreeSet<_> =
+            CRATES.values().flatten().flat_map(|sources| knowing(sources, parts)).collect();
+        let (inside, elsewhere): (Vec<_>, Vec<_>) =
+            found.into_iter().partition(|(file, _)| file.starts_with(place));
+        assert!(elsewhere.is_empty(), "{elsewhere:#?}");
+        assert!(!inside.is_empty(), "it is found where it may be: {place}");
+    }
+    // What starts the program has no library, apart from those of its tests.
+    let manifest = fs::read_to_string(root().join("xtask/Cargo.toml")).expect("it is there");
+    assert!(manifest.contains("\n[dev-dependencies]") && !manifest.contains("\n[dependencies"), "{manifest}");
 }
 
 /// The sources of a crate of these files, in `src/`, the first of which is its root.
@@ -177,6 +219,52 @@ fn input_and_output_is_seen_however_it_is_written() {
     }
     let innocent = "//! std::fs\nconst A: &str = env!(\"OUT_DIR\"); #[cfg(test)] mod tests { use std::fs; } use std::fmt;";
     assert_eq!(uses(&planted(&[("lib.rs", innocent)]), &SYSTEM), BTreeSet::new());
+}
+
+#[test]
+fn texts_that_are_taken_apart_are_seen() {
+    for (text, how) in [
+        ("fn f() { doubt.to_string().split(\": \").next() }", "text.split"),
+        ("fn f() { g(|| format!(\"{x}\").strip_prefix('-')) }", "text.strip_prefix"),
+        ("fn f() { let reason = doubt.to_string(); h(reason.split_once(\": \")) }", "reason.split_once"),
+        (
+            "fn f() { let (n, mut why) = (all.len(), doubt.to_string()); if why.contains(\"x\") {} }",
+            "why.contains",
+        ),
+        (
+            "fn f() { let key: String = format!(\"{kind} #{rank}\"); { key.rsplit('#').next() } }",
+            "key.rsplit",
+        ),
+    ] {
+        let found = planted(&[("lib.rs", text)]).taken_apart;
+        assert_eq!(found, BTreeSet::from([("src/lib.rs".to_owned(), how.to_owned())]), "{text}");
+    }
+    for innocent in [
+        "fn f() { let a = b.to_string(); a.len() }",
+        "fn f() { let a = b.to_string(); let a = read(c); a.split(' ') }",
+        "fn f() { let a = format!(\"{b}\"); other.a.split(' ') }",
+        "fn f(a: &str) { { let a = b.to_string(); } a.split(' ') }",
+        "fn f() { label.replace(' ', KEPT) }",
+        "#[cfg(test)] mod tests { fn f() { a.to_string().contains(\"b\") } }",
+    ] {
+        assert_eq!(planted(&[("lib.rs", innocent)]).taken_apart, BTreeSet::new(), "{innocent}");
+    }
+}
+
+#[test]
+fn what_is_known_elsewhere_is_seen() {
+    let [tables, drawing, server] = KNOWN_ONCE.map(|(parts, _)| parts);
+    for (text, parts) in [
+        ("use polars::prelude::*;", tables),
+        ("fn f() { polars_parquet::write::g() }", tables),
+        ("use plotters::{element::Text, prelude as p};", drawing),
+        ("fn f() { std::net::TcpListener::bind(\"\") }", server),
+    ] {
+        assert_eq!(knowing(&planted(&[("lib.rs", text)]), parts).is_empty(), false, "{text}");
+    }
+    let innocent = "/// polars::prelude\nuse polarsome::A; const P: &str = \"plotters::prelude\";";
+    let sources = planted(&[("lib.rs", innocent)]);
+    assert!([tables, drawing, server].iter().all(|parts| knowing(&sources, parts).is_empty()));
 }
 
 #[test]
