@@ -55,15 +55,23 @@ fn mistakes_are_marked_under_the_character_in_the_words_of_the_command_line() {
     page.wait("!document.documentElement.hasAttribute('data-busy')");
     assert_eq!(page.value(FADED), true);
     assert_eq!(page.value(NOT_DRAWN), true);
-    // It stands beside the constants that it names, too.
+    // It is not one of a constant, though it names the constants that are known.
     let beside = "document.querySelectorAll('#constants-list .why:not([hidden])').length";
-    assert!(page.value(beside).as_u64() > Some(0));
+    assert_eq!(page.value(beside), 0);
     page.click("#go-to-mistake", [0.0, 0.0]);
     assert_eq!(page.value("(() => { const t = document.getElementById('text'); return t.value.slice(t.selectionStart, t.selectionEnd); })()"), "kazppa");
     page.write("kappa");
     page.wait(&format!("{VERDICT} === 'The file is valid.'"));
     page.wait(&format!("{FADED}.then((faded) => !faded)"));
-    // Nothing is left of the mistake anywhere.
+    // That of a constant stands beside it, too.
+    type_behind(&mut page, "\nzeta = ", "nan # ");
+    page.wait(&format!("{beside} === 1"));
+    let why = page.value("document.querySelector('#constants-list .why:not([hidden])').textContent");
+    assert!(why.as_str().is_some_and(|why| why.starts_with("parameters.zeta = nan: ")), "{why}");
+    page.click("#go-to-mistake", [0.0, 0.0]);
+    page.write("zeta = 0.02");
+    page.wait(&format!("{VERDICT} === 'The file is valid.'"));
+    // Nothing is left of the mistakes anywhere.
     page.wait(WHOLE);
     let red = "[...document.querySelectorAll('.bad')].filter((e) => e.checkVisibility() && !e.matches('td')).map((e) => e.textContent)";
     assert_eq!((page.value(beside), page.value(red)), (0.into(), serde_json::json!([])));
