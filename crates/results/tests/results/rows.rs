@@ -56,6 +56,7 @@ samples! {
     SeenKind = SeenKind::NonImpacting,
     Stability = Stability::Stable,
     Sweep = Sweep::Random,
+    Walls = Walls(vec![1, 2]),
 }
 
 /// Declares the list of all rows, each with its fields.
