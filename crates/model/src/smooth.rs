@@ -10,8 +10,8 @@
 //!
 //! The integrator is Gauss's collocation of order 12 with six points. Its steps are long and its
 //! stages solve a system whose matrix is that of the variational equations: jets of any order cost
-//! one more evaluation of F at each of the six points, which is made at several points side by
-//! side. An explicit method of the same accuracy takes many times as many.
+//! one more evaluation of F at each of the six points, by formulas for its derivatives where there
+//! are any ([`SmoothOscillator::partials`]). An explicit method of the same accuracy takes many times as many.
 //!
 //! **Why no library.** The step control of the libraries we know goes through `std`'s powers, so
 //! that the bits would depend on the machine; and none carries variational equations of second
