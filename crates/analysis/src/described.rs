@@ -7,7 +7,7 @@ use grazing_input::{Axis, Description, OwnCurve, Property as Written};
 use grazing_model::smooth::{Stop, Stoppable, Units};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OscillatorError};
 use grazing_results::Dimensioned;
-use grazing_unfold::levels::{Level, Property};
+use grazing_unfold::own_curves::{Level, Property};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 

@@ -5,7 +5,7 @@
 pub mod along;
 mod described;
 pub mod family;
-pub mod limits;
+pub mod limit_map;
 pub mod nothing;
 pub mod one_parameter;
 pub mod place;

@@ -12,7 +12,7 @@ use grazing_results::plane::{
 use grazing_results::{Dimensioned, Frame, Names, Stability, TablePlan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
-use grazing_unfold::levels::{Level, LevelCurve};
+use grazing_unfold::own_curves::{Level, LevelCurve};
 use grazing_unfold::regions::Region;
 
 /// The names of the two parameters, which head their columns, and the units of the tables, to which

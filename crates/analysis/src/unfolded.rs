@@ -16,7 +16,7 @@ use grazing_results::plane::{
     Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section, SequenceDiagram, StraightenedCurves,
 };
 use grazing_results::{Dimensioned, Names, Tables, UnitNames, tables};
-use grazing_unfold::levels::Level;
+use grazing_unfold::own_curves::Level;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequence, Sequences, of_diagram};
 use grazing_unfold::unfinished::Unfinished;

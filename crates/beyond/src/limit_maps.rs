@@ -1,6 +1,6 @@
 //! Beyond the paper: the limit map at all resonances of Figure 7, as a table.
 
-use grazing_analysis::limits::{AtLimit, LimitTable};
+use grazing_analysis::limit_map::{AtLimit, LimitTable};
 use grazing_reproduction::{Study, StudyError};
 
 /// The limit map at each resonance of Figure 7.

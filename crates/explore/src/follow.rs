@@ -8,7 +8,7 @@ use grazing_continuation::mps::{
 };
 use grazing_model::OnWall;
 use grazing_model::smooth::Stop;
-use grazing_unfold::levels::{Property, through};
+use grazing_unfold::own_curves::{Property, through};
 use serde::Deserialize;
 use serde_json::{Value, json};
 

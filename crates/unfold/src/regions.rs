@@ -15,10 +15,10 @@ use grazing_model::smooth::Purpose;
 
 use crate::Scope;
 use crate::curves::{DiagramCurve, Net};
+use crate::entering_curves;
 use crate::faces::{self, Face, Point};
 use crate::grazing::GrazingCurve;
-use crate::levels::{Level, Levels};
-use crate::outside;
+use crate::own_curves::{Level, Levels};
 use crate::parallel;
 use crate::progress::Progress;
 use crate::search;
@@ -70,8 +70,8 @@ pub(crate) fn of_mps(
     let levels = levels(window);
     progress.begin(STAGE, nets.len() as u64);
     let found = search::on_slices(oscillator, &scope.loops, window, &levels, progress);
-    let about = outside::about(scope);
-    let beyond = Purpose::Curves.during(|| outside::followed(grazing, &about));
+    let about = entering_curves::about(scope);
+    let beyond = Purpose::Curves.during(|| entering_curves::followed(grazing, &about));
     let regions = parallel::map(nets, |net| {
         let loops = net.loops();
         let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| solution.clone()).collect();

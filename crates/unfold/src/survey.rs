@@ -22,9 +22,9 @@ use self::explain::{bounding, explained, start};
 use crate::Scope;
 use crate::close_curves::Vertices;
 use crate::curves::{DiagramCurve, Net, route};
+use crate::entering_curves;
 use crate::grazing::GrazingCurve;
-use crate::levels::{self, Level, Levels};
-use crate::outside;
+use crate::own_curves::{self, Level, Levels};
 use crate::parallel;
 use crate::progress::Progress;
 use crate::slices::{FREE_STEPS, Slice, Slicer, precise, spread, steps};
@@ -198,7 +198,7 @@ impl<'a> Survey<'a> {
 
     /// Looks out for curves that enter the window from resonances outside of it, once nothing else leads to any.
     pub(crate) fn look_outside(&mut self, about: &Scope, grazing: &[GrazingCurve]) {
-        let entering = || outside::entering(&self.net.equations, self.scope, about, grazing);
+        let entering = || entering_curves::entering(&self.net.equations, self.scope, about, grazing);
         self.entering = Purpose::Curves.during(entering);
     }
 
@@ -316,7 +316,7 @@ impl<'a> Survey<'a> {
         let mut all = Levels::default();
         let own = asked.iter().enumerate().filter(|(_, level)| level.loops.contains(&self.loops()));
         for level in own {
-            let Levels { curves, lost } = levels::find(&self.slicer, &sources, &route, level, progress);
+            let Levels { curves, lost } = own_curves::find(&self.slicer, &sources, &route, level, progress);
             all.curves.extend(curves);
             all.lost.extend(lost);
         }

@@ -17,7 +17,7 @@ use grazing_unfold::straightened::straighten;
 use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
 use grazing_unfold::verification::{Simulated, simulate};
 
-use crate::limits::measured_doubled_grazing;
+use crate::limit_map::measured_doubled_grazing;
 use crate::plane::{self, Axes};
 
 /// A resonant grazing bifurcation with its results, in the oscillator's own units.

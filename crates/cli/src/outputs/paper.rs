@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use grazing_analysis::limits::LimitTable;
+use grazing_analysis::limit_map::LimitTable;
 use grazing_beyond::{all_figures, limit_maps};
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig07::Figure7;

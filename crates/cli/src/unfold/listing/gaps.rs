@@ -8,7 +8,7 @@ use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
-use grazing_unfold::levels::LevelCurve;
+use grazing_unfold::own_curves::LevelCurve;
 
 use crate::layout::Layout;
 use crate::unfold::analysis::Analysis;
@@ -149,7 +149,7 @@ mod tests {
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::grazing::GrazingCurve;
-    use grazing_unfold::levels::Levels;
+    use grazing_unfold::own_curves::Levels;
     use grazing_unfold::resonances::Unlocated;
     use grazing_unfold::unfinished::Unfinished;
 
