@@ -47,15 +47,13 @@ impl Formulas {
         if itself.instructions() > LONGEST {
             return None;
         }
+        let slope = |of, variable| graph.derivative(of, variable, stop).ok();
+        let slopes: Vec<Term<'_>> = (0..VARIABLES).map(|a| slope(force, a)).collect::<Option<_>>()?;
         let mut all = vec![(partial(&[]), force)];
-        let mut slopes = Vec::new();
-        for a in 0..VARIABLES {
-            slopes.push(graph.derivative(force, a, stop).ok()?);
-            all.push((partial(&[a]), slopes[a]));
-        }
-        for a in 0..VARIABLES {
+        all.extend(slopes.iter().enumerate().map(|(a, of)| (partial(&[a]), *of)));
+        for (a, of) in slopes.iter().enumerate() {
             for b in a..VARIABLES {
-                all.push((partial(&[a, b]), graph.derivative(slopes[a], b, stop).ok()?));
+                all.push((partial(&[a, b]), slope(*of, b)?));
             }
         }
         let first = partial(&[VARIABLES - 1]);

@@ -217,7 +217,7 @@ proptest! {
             prop_assert!(force.partials(&at, true, &mut known));
             let mut slopes = force.hold_slopes(&at[2..]).expect("there are formulas");
             let [value, ..] = slopes(&[&at[0], &at[1]], false);
-            prop_assert_eq!(bits([value]), bits([known.0[partial(&[])]]), "{}", text);
+            prop_assert!(close(value, known.0[partial(&[])], 0.0), "{}: {}", text, value);
             let slopes = slopes(&[&at[0], &at[1]], true);
             for (slope, of) in slopes.into_iter().zip([&[][..], &[0], &[1]]) {
                 prop_assert!(close(slope, known.0[partial(of)], 0.0), "{}: {:?} {}", text, of, slope);

@@ -76,6 +76,10 @@ const PLUNGE: f64 = 0.1;
 /// shorter still by this factor, as on the way into a pole, the solution ends.
 const SHORTEST: f64 = 1e-9;
 const VANISHING: f64 = 1e-3;
+/// A step needs no control if it is shorter than the proposed one by this factor, and at the start of a motion,
+/// where less is known, by the second one: all that is left of a very short step's coefficients is rounding.
+const SHORT: f64 = 0.1;
+const SHORT_AT_START: f64 = 1e-3;
 /// The stages are solved for within this many iterations or the step is too long.
 const ITERATIONS: usize = 12;
 /// A correction this small, relative to the terms of which F is a sum, leaves the matrix unchanged;
@@ -320,12 +324,10 @@ impl<M: SmoothOscillator> Integrated<M> {
             Accuracy::Usual => [1.0; 2],
             Accuracy::Fine => [FINER, NARROWER],
         };
-        let mut tried: Option<Step> = None;
         loop {
-            let accelerations = match (&tried, &node.last) {
-                (Some(longer), _) => longer.guess(0.0, trial),
-                (None, Some(last)) => last.guess(1.0, trial),
-                (None, None) => {
+            let accelerations = match &node.last {
+                Some(last) => last.guess(1.0, trial),
+                None => {
                     let (acceleration, rate) = self.start(node);
                     let longest = wider * SWING / rate;
                     trial = if trial.abs() < longest { trial } else { longest.copysign(trial) };
@@ -365,7 +367,6 @@ impl<M: SmoothOscillator> Integrated<M> {
                 });
             }
             trial *= factor.min(SAFETY);
-            tried = Some(step);
         }
     }
 
@@ -376,6 +377,20 @@ impl<M: SmoothOscillator> Integrated<M> {
         let force =
             self.model.force(Jet::variable(0, x), Jet::variable(1, y), Jet::constant(node.time), mu, eta);
         (force.value(), fastest_rate(force.first(0).abs(), force.first(1).abs()))
+    }
+
+    /// The step of a length that is so short that it needs no control, or `None` inside where there is no solution;
+    /// `None` for other lengths.
+    pub(super) fn short_step(&self, node: &Node, length: f64) -> Option<Option<Step>> {
+        let share = if node.last.is_some() { SHORT } else { SHORT_AT_START };
+        (length.abs() < share * node.proposal.abs()).then(|| {
+            let accelerations = match &node.last {
+                Some(last) => last.guess(1.0, length),
+                None => Stages::constant(self.start(node).0),
+            };
+            let mut step = Step { length, accelerations };
+            self.solve(node.state, node.time, &mut step).map(|_| step)
+        })
     }
 
     /// The step from a node to a time on the way to the next one.

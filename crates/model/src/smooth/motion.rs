@@ -145,12 +145,14 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
             return Some(());
         }
         for _ in inside..=MOST_STEPS {
-            let rest = end - node.time;
-            // A sum of times may miss the end by a rounding.
-            if rest.abs() <= f64::EPSILON * end.abs() {
+            if node.time == end {
                 return Some(());
             }
-            let next = self.oscillator.next_node(&node, rest)?;
+            if let Some(short) = self.oscillator.short_step(&node, end - node.time) {
+                visit(node.time, &short?);
+                return Some(());
+            }
+            let next = self.oscillator.next_node(&node, end - node.time)?;
             visit(node.time, next.last.as_ref()?);
             node = next;
         }
