@@ -248,7 +248,7 @@ impl Expression {
         let tape = &*self.0;
         let mut list: Vec<S> = tape.held(others);
         move |moving| {
-            tape.run_rest(tape.rest.instructions.len(), moving, &mut list);
+            tape.run_rest(1, moving, &mut list);
             *tape.rest_result(0, moving, &list)
         }
     }
@@ -267,10 +267,12 @@ impl Tape {
         })
     }
 
-    /// Runs the first of the instructions that move.
+    /// Runs the instructions that move, as far as the first of the results need them.
     #[inline(always)]
-    fn run_rest<S: Scalar>(&self, count: usize, moving: &[&S], list: &mut [S]) {
-        self.rest.run(0..count, &moving[..self.moving], self.moving, (list, self.needed.len()));
+    fn run_rest<S: Scalar>(&self, results: usize, moving: &[&S], list: &mut [S]) {
+        let before = self.needed.len();
+        let count = self.rest.needed_for(results, self.moving + before);
+        self.rest.run(0..count, &moving[..self.moving], self.moving, (list, before));
     }
 
     /// A result of these.
@@ -321,6 +323,11 @@ fn add_up<'v, S: Scalar + 'v>(
 }
 
 impl Code {
+    /// The number of instructions up to the last of the first results, whose slots come after these others.
+    fn needed_for(&self, results: usize, others: usize) -> usize {
+        self.results[..results].iter().map(|slot| (slot + 1).saturating_sub(others)).max().unwrap_or(0)
+    }
+
     /// Runs a range of the instructions, in order, on a list that already holds some values before
     /// the results.
     fn run<S: Scalar, V: Borrow<S>>(

@@ -1,38 +1,33 @@
 //! Formulas for the derivatives of a force, on tapes of their own.
 //!
 //! Jets carry every derivative through every instruction, though most of them are zero in most: a tape of
-//! formulas, which share their parts, computes a third of that.
+//! formulas, which share their parts, has three to fifteen instructions for each of the force's own in the examples.
 
 use grazing_model::smooth::{Partials, Scalar, Stop, partial};
 
 use super::graph::{Graph, Term};
-use super::{Expression, Slot, Tape, assemble, value, with_space};
-
-/// The largest number of instructions of a force that is differentiated, and of those of its derivatives
-/// for each of its own, so that they take no longer than jets of as many derivatives (empirical).
-const LONGEST: usize = 256;
-const FOR_EACH: usize = 20;
+use super::{Expression, Tape, assemble, value, with_space};
 
 /// The numbers of variables of a force: all, and those that move.
 const VARIABLES: usize = 5;
 const MOVING: usize = 2;
 
+/// The largest number of instructions of its derivatives for each of a force's own: as many as there are derivatives,
+/// all of which jets carry through each.
+const FOR_EACH: usize = 1 + partial(&[VARIABLES - 1, VARIABLES - 1]);
+/// The largest number of instructions of a force that is differentiated: each takes a quarter of a millisecond to read.
+const LONGEST: usize = 1000;
+
 /// Formulas for the derivatives of a force.
 #[derive(Debug, PartialEq)]
 pub(super) struct Formulas {
-    /// F, F_x and F_y; the number of instructions that F takes of those that move.
+    /// F, F_x and F_y.
     slopes: Tape,
-    value_alone: usize,
     /// F and its derivatives that are not zero everywhere, by increasing order, with the place of each.
     all: Tape,
     places: Vec<usize>,
-    /// The number of those that are not of second order, and that of the instructions that they take.
-    lower: [usize; 2],
-}
-
-/// The number of instructions, after values up to a slot, up to the last of some results.
-fn instructions(results: &[Slot], before: usize) -> usize {
-    results.iter().map(|slot| (slot + 1).saturating_sub(before)).max().unwrap_or(0)
+    /// The number of those that are not of second order.
+    first_order: usize,
 }
 
 impl Formulas {
@@ -56,7 +51,6 @@ impl Formulas {
                 all.push((partial(&[a, b]), slope(*of, b)?));
             }
         }
-        let first = partial(&[VARIABLES - 1]);
         all.retain(|(place, term)| *place == 0 || !matches!(term, Term::Number(0.0)));
         let (places, terms): (Vec<usize>, Vec<Term<'_>>) = all.into_iter().unzip();
         let (nodes, results) = graph.parts(&terms);
@@ -66,10 +60,8 @@ impl Formulas {
         }
         let (nodes, results) = graph.parts(&[force, slopes[0], slopes[1]]);
         let slopes = assemble::tape(variables, MOVING, &nodes, &results);
-        let value_alone = instructions(&slopes.rest.results[..1], MOVING + slopes.needed.len());
-        let lower = places.iter().filter(|place| **place <= first).count();
-        let lower = [lower, instructions(&all.whole.results[..lower], VARIABLES)];
-        Some(Self { slopes, value_alone, all, places, lower })
+        let first_order = places.iter().filter(|place| **place < partial(&[0, 0])).count();
+        Some(Self { slopes, all, places, first_order })
     }
 }
 
@@ -80,14 +72,10 @@ impl Expression {
         &'a self,
         others: &[S],
     ) -> Option<impl FnMut(&[&S], bool) -> [S; 3] + use<'a, S>> {
-        let Formulas { slopes, value_alone, .. } = &**self.1.as_ref()?;
+        let Formulas { slopes, .. } = &**self.1.as_ref()?;
         let mut list: Vec<S> = slopes.held(others);
         Some(move |moving: &[&S], wanted: bool| {
-            if !wanted {
-                slopes.run_rest(*value_alone, moving, &mut list);
-                return [*slopes.rest_result(0, moving, &list); 3];
-            }
-            slopes.run_rest(slopes.rest.instructions.len(), moving, &mut list);
+            slopes.run_rest(if wanted { 3 } else { 1 }, moving, &mut list);
             [0, 1, 2].map(|index| *slopes.rest_result(index, moving, &list))
         })
     }
@@ -101,9 +89,9 @@ impl Expression {
         Partials(partials): &mut Partials<S>,
     ) -> bool {
         let Some(formulas) = &self.1 else { return false };
-        let Formulas { all: Tape { whole, .. }, places, lower: [results, count], .. } = &**formulas;
-        let (results, count) =
-            if second { (places.len(), whole.instructions.len()) } else { (*results, *count) };
+        let Formulas { all: Tape { whole, .. }, places, first_order, .. } = &**formulas;
+        let results = if second { places.len() } else { *first_order };
+        let count = whole.needed_for(results, VARIABLES);
         with_space(count, |list| {
             whole.run(0..count, at, VARIABLES, (list, 0));
             for (place, slot) in places.iter().zip(&whole.results).take(results) {

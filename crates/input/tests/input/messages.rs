@@ -6,7 +6,7 @@ use std::path::Path;
 use grazing_input::Description;
 
 /// A correct description.
-const RIGHT: &str = r#"name = "Invented"
+pub(crate) const RIGHT: &str = r#"name = "Invented"
 [parameters]
 zeta = 0.1
 kappa = 0.2

@@ -76,8 +76,8 @@ const PLUNGE: f64 = 0.1;
 /// shorter still by this factor, as on the way into a pole, the solution ends.
 const SHORTEST: f64 = 1e-9;
 const VANISHING: f64 = 1e-3;
-/// A step needs no control if it is shorter than the proposed one by this factor, and at the start of a motion,
-/// where less is known, by the second one: all that is left of a very short step's coefficients is rounding.
+/// A step that must end this much sooner than the proposed one needs no control, at the start of a motion, where
+/// less is known, by the second factor: all that is left of a very short step's coefficients is rounding.
 const SHORT: f64 = 0.1;
 const SHORT_AT_START: f64 = 1e-3;
 /// The stages are solved for within this many iterations or the step is too long.
@@ -247,15 +247,16 @@ impl<M: SmoothOscillator> Integrated<M> {
     fn solve(&self, from: Pair<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
         let h = step.length;
         let ([mu, eta], times) = (self.parameters.map(Stages::constant), step.times(time));
-        let mut known = self.model.slopes_at(times, mu, eta);
-        let mut jets = known.is_none().then(|| self.model.force_at(times, mu, eta));
+        let (mut known, mut jets) = (self.model.slopes_at(times, mu, eta), None);
         // F, F_x and F_y at the stages, the last two if they are wanted.
         let mut force = |step: &Step, slopes: bool| {
             let [x, y] = step.stages(from);
-            match (&mut known, &mut jets) {
-                (Some(force), _) => force(x, y, slopes),
-                (None, Some(force)) => force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y)).0,
-                (None, None) => unreachable!("one of them is there"),
+            match &mut known {
+                Some(force) => force(x, y, slopes),
+                None => {
+                    let force = jets.get_or_insert_with(|| self.model.force_at(times, mu, eta));
+                    force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y)).0
+                }
             }
         };
         let looser = if self.accuracy == Accuracy::Rough { LOOSER } else { 1.0 };
@@ -324,6 +325,8 @@ impl<M: SmoothOscillator> Integrated<M> {
             Accuracy::Usual => [1.0; 2],
             Accuracy::Fine => [FINER, NARROWER],
         };
+        let share = if node.last.is_some() { SHORT } else { SHORT_AT_START };
+        let is_short = longest.abs() < share * node.proposal.abs();
         loop {
             let accelerations = match &node.last {
                 Some(last) => last.guess(1.0, trial),
@@ -353,9 +356,11 @@ impl<M: SmoothOscillator> Integrated<M> {
             // and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
             let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
-            if (roughness <= 1.0 + OVERROUGH && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
+            let is_good = roughness <= 1.0 + OVERROUGH && swing <= 1.0 + OVERSWING;
+            if is_good || is_short || trial.abs() < shortest {
                 // A step that was cut at the end is no evidence against the proposal.
-                let cut = trial == longest && longest.abs() < node.proposal.abs() && factor >= 1.0;
+                let cut =
+                    trial == longest && longest.abs() < node.proposal.abs() && (factor >= 1.0 || is_short);
                 let proposal = if cut { node.proposal } else { trial * factor };
                 let longest = self.longest_step();
                 let proposal = if proposal.abs() < longest { proposal } else { longest.copysign(proposal) };
@@ -377,20 +382,6 @@ impl<M: SmoothOscillator> Integrated<M> {
         let force =
             self.model.force(Jet::variable(0, x), Jet::variable(1, y), Jet::constant(node.time), mu, eta);
         (force.value(), fastest_rate(force.first(0).abs(), force.first(1).abs()))
-    }
-
-    /// The step of a length that is so short that it needs no control, or `None` inside where there is no solution;
-    /// `None` for other lengths.
-    pub(super) fn short_step(&self, node: &Node, length: f64) -> Option<Option<Step>> {
-        let share = if node.last.is_some() { SHORT } else { SHORT_AT_START };
-        (length.abs() < share * node.proposal.abs()).then(|| {
-            let accelerations = match &node.last {
-                Some(last) => last.guess(1.0, length),
-                None => Stages::constant(self.start(node).0),
-            };
-            let mut step = Step { length, accelerations };
-            self.solve(node.state, node.time, &mut step).map(|_| step)
-        })
     }
 
     /// The step from a node to a time on the way to the next one.

@@ -148,10 +148,6 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
             if node.time == end {
                 return Some(());
             }
-            if let Some(short) = self.oscillator.short_step(&node, end - node.time) {
-                visit(node.time, &short?);
-                return Some(());
-            }
             let next = self.oscillator.next_node(&node, end - node.time)?;
             visit(node.time, next.last.as_ref()?);
             node = next;
