@@ -103,36 +103,25 @@ impl Table {
 }
 
 /// The contents of an output as tables: see [`tables!`](crate::tables).
-pub trait Tables {
+pub trait Tables: Sized {
     /// The names and columns of the tables.
     const TABLES: &'static [TablePlan];
 
     /// The tables of several outputs, each with the rows of all of them, named as in `tables`, which has as many entries.
-    fn tables_of_all(all: &[Self], tables: &[TablePlan], names: &Names) -> Vec<Table>
-    where
-        Self: Sized;
+    fn tables_of_all(all: &[Self], tables: &[TablePlan], names: &Names) -> Vec<Table>;
 
     /// The tables of several outputs, with these names of the parameters.
-    fn tables_of(all: &[Self], names: &Names) -> Vec<Table>
-    where
-        Self: Sized,
-    {
+    fn tables_of(all: &[Self], names: &Names) -> Vec<Table> {
         Self::tables_of_all(all, Self::TABLES, names)
     }
 
     /// All tables, named as in `tables`, which has as many entries.
-    fn tables_as(&self, tables: &[TablePlan], names: &Names) -> Vec<Table>
-    where
-        Self: Sized,
-    {
+    fn tables_as(&self, tables: &[TablePlan], names: &Names) -> Vec<Table> {
         Self::tables_of_all(slice::from_ref(self), tables, names)
     }
 
     /// All tables, with these names of the parameters.
-    fn tables(&self, names: &Names) -> Vec<Table>
-    where
-        Self: Sized,
-    {
+    fn tables(&self, names: &Names) -> Vec<Table> {
         self.tables_as(Self::TABLES, names)
     }
 }
