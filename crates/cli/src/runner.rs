@@ -237,8 +237,12 @@ pub(crate) fn run_each<'a>(
 fn start_threads(jobs: Option<u16>) -> Result<(), Failure> {
     let Some(jobs) = jobs else { return Ok(()) };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(jobs));
-    pool.build_global()
-        .map_err(|error| Failure::input(format!("--jobs {jobs}: the threads could not be started: {error}")))
+    // What the system refuses may be refused because of its limits, and not because of the number.
+    pool.build_global().map_err(|error| {
+        Failure::incomplete(format!(
+            "--jobs {jobs}: the threads could not be started: {error} (choose fewer, or raise what the system allows: ulimit -v, ulimit -u)"
+        ))
+    })
 }
 
 impl Plan<'_> {
