@@ -8,7 +8,6 @@ mod ink;
 use core::f64::consts::TAU;
 use core::ops::Range;
 
-use grazing_analysis::plane::{Axes, plane_diagram};
 use grazing_continuation::curve::Window;
 use grazing_input::kind::count;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
@@ -19,6 +18,7 @@ use grazing_results::plane::PlaneDiagram;
 use grazing_results::{place, row, rows, tables};
 use grazing_unfold::long_time::{Horizon, MotionKind, Patience};
 use grazing_unfold::place::{AttractorSummary, seen};
+use grazing_unfold::plane;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -336,8 +336,7 @@ impl<'a> Map<'a> {
             counts.push(count);
         }
         let stretches = rows.into_iter().flat_map(|row| row.stretches).collect();
-        let diagram =
-            plane_diagram(&Axes::of_the_paper(), (self.study.diagram()?, None), Vec::new(), Vec::new());
+        let diagram = plane::rows(self.study.diagram()?, None);
         Ok(Attractors { stretches, counts, remarks, diagram, size: self.size })
     }
 }

@@ -3,7 +3,6 @@
 
 mod ink;
 
-use grazing_analysis::plane::{self, Axes};
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::fit::{Estimate, measure};
@@ -16,6 +15,7 @@ use grazing_reproduction::prelude::*;
 use grazing_results::plane::{CurveSource, PlanePoint, SequenceVertex};
 use grazing_results::{Frame, Stability, brief, rows, tables};
 use grazing_unfold::generations::{BaseName, LaterResonance};
+use grazing_unfold::plane;
 use grazing_unfold::resonances::Unlocated;
 use grazing_unfold::sequences::{Sequences, sequences};
 use rayon::prelude::*;
@@ -138,7 +138,7 @@ impl StudyFigure for BeyondGenerations {
         let diagram = study.diagram()?;
         let window = study.parameters.section::<Figure7>()?.window();
         let sequences = sequences(diagram, &self.rounds, 2, &*study.progress);
-        let regions = grazing_analysis::sequences::rows(&sequences, &Axes::of_the_paper().units, 0).regions;
+        let regions = sequences.rows(0).regions;
         let Sequences { resonances: found, unlocated, .. } = sequences;
         let resonances: Vec<LaterRow> =
             found.par_iter().enumerate().map(|(index, found)| row(index as u32 + 1, found)).collect();
@@ -160,7 +160,7 @@ impl StudyFigure for BeyondGenerations {
             curves,
             regions,
             magnified,
-            known: plane::curves(&Axes::of_the_paper(), diagram),
+            known: plane::curves(diagram),
             frame: window.into(),
             panels: frames,
             missing: missing.collect(),

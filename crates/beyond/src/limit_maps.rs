@@ -1,7 +1,7 @@
 //! Beyond the paper: the limit map at all resonances of Figure 7, as a table.
 
-use grazing_analysis::limit_map::{AtLimit, LimitTable};
 use grazing_reproduction::{Study, StudyError};
+use grazing_unfold::limit_map::{AtLimit, LimitTable};
 
 /// The limit map at each resonance of Figure 7.
 ///

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use askama::Template;
-use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_input::{Description, Limits};
 use grazing_model::smooth::{SmoothOscillator as _, Stop};
 use grazing_model::{ImpactOscillator as _, State};
 use grazing_results::Stability;
+use grazing_unfold::described::Prepared;
 use grazing_unfold::place::{Place, Solution, Starts};
 use grazing_unfold::progress::Silent;
 
@@ -171,7 +171,7 @@ fn impact_of(solution: &Solution) -> [f64; 2] {
 fn solution(description: &Description, at: [f64; 2], stop: &Stop) -> Result<(Solution, String), Failure> {
     let units = description.units();
     let [mu, eta] = at;
-    let Prepared { oscillator, scope, .. } = Prepared::new(description, axes(description), stop);
+    let Prepared { oscillator, scope, .. } = Prepared::of(description, stop);
     let oscillator = oscillator.with_parameters(units.without_dimensions([mu, eta]));
     let starts = Starts { states: 0, ..Starts::default() };
     let found = Place::compute(&oscillator, &scope, &starts, &Silent);

@@ -7,11 +7,11 @@ mod origin;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use grazing_analysis::family::{Plan, Record, assemble, names, records};
-use grazing_analysis::nothing::Nothing;
 use grazing_input::{Description, Limits};
 use grazing_model::smooth::Stop;
 use grazing_results::brief;
+use grazing_unfold::family::{Plan, Record, assemble, names, records};
+use grazing_unfold::nothing::Nothing;
 
 use crate::arguments;
 use crate::failure::Failure;

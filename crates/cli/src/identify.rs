@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use grazing_analysis::unfolded::{axes, prepared};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::{Description, Limits};
 use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
 use grazing_model::smooth::SmoothOscillator;
 use grazing_results::measured::Identified;
 use grazing_results::{Names, Tables, brief};
+use grazing_unfold::described::{Axes, Prepared};
 
 use crate::arguments::Identify;
 use crate::commands::CommandLine;
@@ -57,7 +57,7 @@ pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
     let usual = || Path::new(RESULTS).join(folder::name_for(file));
     let folder = arguments.output.clone().unwrap_or_else(usual);
     let limits = (limits.over(of.description.limits()), of.taken);
-    let names = axes(&of.description).names;
+    let names = Axes::of(&of.description).names;
     let compute = move |running: &Running<'_>| {
         identified(&of.description, (free, &start), &measured, running).map_err(|reason| {
             let otherwise = || Failure::incomplete(format!("{}: {reason}", file.display()));
@@ -121,8 +121,7 @@ fn identified(
     running: &Running<'_>,
 ) -> Result<(Fit, Identified), String> {
     let stop = &running.stop();
-    let units = axes(description).units;
-    let (_, scope) = prepared(description, &units, stop);
+    let Prepared { scope, axes: Axes { units, .. }, .. } = Prepared::of(description, stop);
     let at = [scope.window.primary[0], scope.window.secondary[0]];
     let rig = |values: &[f64]| {
         let mut own = description.clone();

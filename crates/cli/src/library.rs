@@ -7,8 +7,6 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use grazing_analysis::place::simulated;
-use grazing_analysis::unfolded::Prepared;
 use grazing_beyond::parameters;
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Figure, Model, Seen, View, Wanted};
@@ -17,6 +15,8 @@ use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
 use grazing_results::place::briefly;
 use grazing_results::{Names, Table, Tables};
+use grazing_unfold::described::Prepared;
+use grazing_unfold::place::simulated;
 
 use crate::explore::drawn;
 use crate::failure::Failure;

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_input::{Description, DescriptionError, Limits, Setting, Text, nearest, suggestion};
 use grazing_measured::Setup;
 use grazing_model::smooth::Stop;
+use grazing_unfold::described::Prepared;
 
 use crate::failure::Failure;
 use crate::limits::reading;
@@ -42,7 +42,7 @@ impl OscillatorFile {
 
     /// The oscillator, ready for an analysis that the mark cancels.
     pub(crate) fn prepared(&self, stop: &Stop) -> Prepared {
-        Prepared::new(&self.description, axes(&self.description), stop)
+        Prepared::of(&self.description, stop)
     }
 }
 

@@ -12,13 +12,14 @@ pub(crate) mod reason;
 
 use std::path::{Path, PathBuf};
 
-use grazing_analysis::place::at_place;
-use grazing_analysis::unfolded::{AtResonance, Keep, Prepared};
 use grazing_input::Limits;
 use grazing_measured::{NOT_FINISHED, Observation, compare, read};
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::place::AtPlace;
+use grazing_unfold::described::Prepared;
+use grazing_unfold::place::at_place;
 use grazing_unfold::progress::Progress;
+use grazing_unfold::unfolded::{AtResonance, Keep};
 
 use crate::arguments;
 use crate::failure::Failure;

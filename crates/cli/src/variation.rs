@@ -3,7 +3,7 @@
 use std::fmt::{self, Display};
 use std::str::FromStr;
 
-use grazing_analysis::family::Varied;
+use grazing_unfold::family::Varied;
 use serde::{Deserialize, Serialize};
 
 /// The most members of a family: more make tables that nobody reads and files that fill a disk.

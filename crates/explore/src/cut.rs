@@ -1,12 +1,12 @@
 //! The one-parameter diagram along a line of the plane: its branches first, then the simulated
 //! long-term behaviour.
 
-use grazing_analysis::one_parameter::{SAMPLING, in_own_units};
 use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_results::Dimensioned;
 use grazing_results::branches::{BranchPoint, OneParameter};
 use grazing_results::readings::{Ordinate, Reading};
+use grazing_unfold::one_parameter::requested::{SAMPLING, in_own_units};
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
 use grazing_unfold::progress::Progress;
 use serde::Deserialize;

@@ -2,11 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use grazing_analysis::along::forgotten;
-use grazing_analysis::nothing::Nothing;
-use grazing_analysis::plane::{self, Axes};
-use grazing_analysis::sequences;
-use grazing_analysis::unfolded::{AtResonance, Prepared};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_input::Mistake;
@@ -14,10 +9,16 @@ use grazing_model::smooth::Stop;
 use grazing_results::plane::{OwnPoint, PlanePoint, SequenceVertex, Vertex};
 use grazing_results::{Dimensioned, Row};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
+use grazing_unfold::described::Axes;
+use grazing_unfold::described::Prepared;
 use grazing_unfold::diagram::DiagramCurve;
+use grazing_unfold::grazing::along::forgotten;
 use grazing_unfold::magnification::approximation;
+use grazing_unfold::nothing::Nothing;
+use grazing_unfold::plane;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sequences::of_diagram;
+use grazing_unfold::unfolded::AtResonance;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -97,8 +98,10 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     let mut seen: Vec<Diagram> = Vec::new();
     for view in of.from_each_wall() {
         let located = view.located(events).map_err(|error| problem(&axes, error))?;
-        let rows =
-            plane::grazing_rows(&axes, &located).into_iter().filter(|rows| is_shown(rows, located.wall));
+        let rows = plane::grazing_rows(&located)
+            .with_dimensions(&axes.units)
+            .into_iter()
+            .filter(|rows| is_shown(rows, located.wall));
         let grazing = (0..).zip(rows).map(|(k, rows)| curve(&rows, k));
         events.send("curves", &grazing.collect::<Vec<_>>());
         all.resonances.extend(resonances(&axes, &located));
@@ -120,7 +123,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     let grazing = seen.iter().flat_map(|diagram| &diagram.grazing);
     let forgotten = grazing.filter_map(|curve| forgotten(curve, secondary, &axes.units));
     let forgotten = forgotten.map(|words| format!("grazing curve: {words}"));
-    tell("notes", seen.iter().flat_map(plane::lost).chain(forgotten).collect());
+    tell("notes", seen.iter().flat_map(Diagram::lost).chain(forgotten).collect());
     let mut shown = all.regions;
     let of_one_impact = shown.len();
     if !coarse && (description.generations() > 1 || description.has_two_walls()) {
@@ -155,7 +158,7 @@ struct Shown {
 impl Shown {
     /// Adds a finished diagram. It contains everything that was sent before, and the curves that begin elsewhere.
     fn add(&mut self, axes: &Axes, diagram: &Diagram, coarse: bool) {
-        let rows = plane::curves(axes, diagram);
+        let rows = plane::curves(diagram).with_dimensions(&axes.units);
         let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
         let arcs = rows.chunk_by(|a, b| a.at.arc == b.at.arc).zip(starts(diagram));
         self.curves.extend(arcs.filter(|(rows, _)| is_shown(rows, diagram.wall)).map(|(rows, starts)| {
@@ -169,7 +172,12 @@ impl Shown {
             }
             found
         }));
-        self.curves.extend(plane::own_curves(axes, diagram).chunk_by(|a, b| a.at.arc == b.at.arc).map(own));
+        self.curves.extend(
+            plane::own_curves(diagram)
+                .with_dimensions(&axes.units)
+                .chunk_by(|a, b| a.at.arc == b.at.arc)
+                .map(own),
+        );
         let known = diagram.unfolding().map(|_| Value::Null);
         let known = known.chain(
             diagram
@@ -177,7 +185,7 @@ impl Shown {
                 .iter()
                 .map(|other| json!(place::eigenvalues(&other.event.solution.multipliers))),
         );
-        let rows = plane::points(axes, diagram);
+        let rows = plane::points(diagram).with_dimensions(&axes.units);
         let points = rows.iter().zip(known).filter(|(row, _)| plane::counts(row.loops, diagram.wall));
         self.points.extend(points.map(|(row, multipliers)| {
             let mut point = told(row);
@@ -185,7 +193,7 @@ impl Shown {
             Value::Object(point)
         }));
         if !coarse {
-            let rows = plane::regions(axes, &diagram.regions);
+            let rows = plane::regions(&diagram.regions).with_dimensions(&axes.units);
             let regions = rows.chunk_by(|a, b| a.region == b.region);
             let own = regions.filter(|rows| plane::counts(rows[0].loops, diagram.wall));
             self.regions.extend(own.map(|rows| Value::Object(region(rows, |row| &row.at))));
@@ -220,7 +228,7 @@ fn growing(axes: &Axes, located: Diagram, coarse: bool, events: &Events) -> Diag
                 rank = 2 * rank + grazing;
                 grazing += 1;
             }
-            curve(&plane::bifurcation_rows(axes, &located, found), rank)
+            curve(&plane::bifurcation_rows(&located, found).with_dimensions(&axes.units), rank)
         };
         events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
     });
@@ -287,7 +295,7 @@ fn own(rows: &[OwnPoint]) -> Value {
         .unzip();
     let mut found = named(OWN_CURVE, [first.loops, 0, first.at.arc], 0, "continuation", points);
     found["name"] = json!(first.name);
-    found["property"] = json!(first.property);
+    found["property"] = json!(first.property.to_string());
     along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
     found
 }
@@ -326,13 +334,13 @@ fn several(
     progress: &dyn Progress,
 ) -> (Vec<Value>, Vec<Value>) {
     let found = of_diagram(diagram, generations, progress);
-    let regions = sequences::rows(&found, &axes.units, diagram.wall).regions;
+    let regions = found.rows(diagram.wall).regions.with_dimensions(&axes.units);
     let one = |rows: &[SequenceVertex]| {
         let mut region = region(rows, |row| &row.at);
         region.insert("name".to_owned(), json!(rows[0].name()));
         Value::Object(region)
     };
-    let both = sequences::at_both_walls(&found, &axes.units);
+    let both = found.at_both_walls().with_dimensions(&axes.units);
     let both = both.chunk_by(|a, b| a.at.arc == b.at.arc).map(|rows| {
         let mut found = curve(rows, rows[0].at.arc);
         let group = format!("{} {} both walls ", rows[0].kind.name(), rows[0].loops);
@@ -347,7 +355,10 @@ fn several(
 /// All resonances, with the coefficients that the theorem gives where it holds.
 fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let one = |resonance: &grazing_unfold::resonances::Resonance| {
-        let (at, holds) = (AtResonance::new(resonance, diagram.wall, &axes.units), resonance.theorem.is_ok());
+        let (at, holds) = (
+            AtResonance::new(resonance, diagram.wall).with_dimensions(&axes.units),
+            resonance.theorem.is_ok(),
+        );
         let [primary, secondary] = at.parameters;
         let coefficient = |value| if holds { value } else { f64::NAN };
         json!({

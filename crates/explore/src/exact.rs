@@ -1,12 +1,12 @@
 //! A place exactly on a curve of the diagram, and the solution there.
 
-use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_theorems::from_map::GrazingPlace;
+use grazing_unfold::described::Prepared;
 use serde::Deserialize;
 use serde_json::{Value, json};
 

@@ -1,19 +1,19 @@
 //! The contents of the page, as rows from which `unfold` draws its figures.
 
-use grazing_analysis::place::at_place;
-use grazing_analysis::plane;
-use grazing_analysis::sequences;
-use grazing_analysis::unfolded::{AtWall, Prepared, straightened_at};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::smooth::Stop;
-use grazing_results::Names;
 use grazing_results::branches::OneParameter;
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{PlaneDiagram, StraightenedCurves};
+use grazing_results::{Dimensioned, Names};
+use grazing_unfold::described::{AtWall, Prepared};
+use grazing_unfold::place::at_place;
+use grazing_unfold::plane;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sequences::of_diagram;
+use grazing_unfold::unfolded::straightened_at;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
 
@@ -116,9 +116,10 @@ impl Seen {
                     measured.map(|rig| rig.beside(model, (&axes, &seen), progress, stop)).transpose()?;
                 let compared = compared.map(|(compared, _)| compared);
                 let several = of_diagram(&seen[0], description.generations(), progress);
-                let mut all = plane::plane_diagram(&axes, (&seen[0], seen.get(1)), Vec::new(), Vec::new());
-                all.several = sequences::rows(&several, &axes.units, seen[0].wall).regions;
-                all.at_both_walls = sequences::at_both_walls(&several, &axes.units);
+                let mut all = plane::rows(&seen[0], seen.get(1));
+                all.several = several.rows(seen[0].wall).regions;
+                all.at_both_walls = several.at_both_walls();
+                all = all.with_dimensions(&axes.units);
                 all.measured = compared.iter().flat_map(|compared| compared.points.clone()).collect();
                 Figure::Plane(all, compared)
             }

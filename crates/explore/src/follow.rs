@@ -1,6 +1,5 @@
 //! The curve through a solution along which the velocity of its impact, the slowest of several, is constant.
 
-use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::curve::Curve;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
@@ -8,7 +7,9 @@ use grazing_continuation::mps::{
 };
 use grazing_model::OnWall;
 use grazing_model::smooth::Stop;
-use grazing_unfold::own_curves::{Property, through};
+use grazing_results::plane::Property;
+use grazing_unfold::described::Prepared;
+use grazing_unfold::own_curves::through;
 use serde::Deserialize;
 use serde_json::{Value, json};
 

@@ -1,10 +1,10 @@
 //! Measurements, and their comparison with the part of the diagram in view.
 
-use grazing_analysis::plane::Axes;
 use grazing_measured::{Observation, Setup, compare, read};
 use grazing_model::smooth::Stop;
 use grazing_results::measured::Comparison;
 use grazing_unfold::Diagram;
+use grazing_unfold::described::Axes;
 use grazing_unfold::progress::Progress;
 use serde::Deserialize;
 use serde_json::{Value, json};

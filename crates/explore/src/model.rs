@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use grazing_analysis::unfolded::{self, Prepared};
 use grazing_input::{Axis, Description, DescriptionError, Mistake, Note, Setting, SettingError, Text};
-use grazing_model::OscillatorError;
-use grazing_model::smooth::Stop;
+use grazing_model::smooth::{Stop, Stoppable};
+use grazing_model::{AnyOscillator, LinearOscillator, OscillatorError};
 use grazing_results::readings::Ordinate;
+use grazing_unfold::Scope;
+use grazing_unfold::described::{Axes, Prepared};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -129,8 +130,8 @@ impl Model {
     /// The constants of the paper's oscillator are wrong.
     pub fn ready(&self, description: &Description, stop: &Stop) -> Result<Prepared, OscillatorError> {
         match self.text {
-            Some(_) => Ok(Prepared::new(description, unfolded::axes(description), stop)),
-            None => Prepared::of_the_paper(description, stop),
+            Some(_) => Ok(Prepared::of(description, stop)),
+            None => closed_form(description, stop),
         }
     }
 
@@ -141,7 +142,7 @@ impl Model {
         let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
         let [primary, secondary] = names.titles();
         let [length, time, _] = description.unit_names();
-        let units = unfolded::axes(&description).names;
+        let units = Axes::of(&description).names;
         let ordinate = |ordinate: &Ordinate| {
             let (_, unit) = ordinate.column();
             (description.has_mass() || !ordinate.needs_mass())
@@ -167,4 +168,20 @@ impl Model {
             "units": { "length": length, "time": time },
         }))
     }
+}
+
+/// The paper's oscillator, whose flow is known in closed form, with the constants, ranges and loops of the text that describes it.
+///
+/// # Errors
+/// ζ, ε, a frequency or an amplitude is out of its domain.
+fn closed_form(description: &Description, stop: &Stop) -> Result<Prepared, OscillatorError> {
+    let [zeta, epsilon] = ["zeta", "epsilon"].map(|wanted| {
+        let mut constants = description.constants();
+        constants.find(|(name, _)| *name == wanted).map_or(f64::NAN, |(_, value)| value)
+    });
+    let written = Prepared::new(description, Axes::of_the_paper(), stop);
+    let window = written.scope.window;
+    let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])?;
+    let oscillator = AnyOscillator::new(Stoppable::new(oscillator, stop.clone()));
+    Ok(Prepared { oscillator, scope: Scope { start: None, ..written.scope }, ..written })
 }

@@ -3,12 +3,12 @@
 use core::f64::consts::TAU;
 use core::iter;
 
-use grazing_analysis::unfolded::Prepared;
 use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::Stability;
+use grazing_unfold::described::Prepared;
 use grazing_unfold::long_time::Horizon;
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
 use serde::Deserialize;

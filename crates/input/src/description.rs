@@ -7,10 +7,11 @@ use grazing_model::smooth::{
     Dimensionless, Exact, Partials, Scalar, SmoothOscillator, Stop, Stoppable, Units,
 };
 
-use crate::error::{KeyPlace, Note};
-use crate::expression::Expression;
+use grazing_results::plane::Property;
 use grazing_results::readings::Ordinate;
 
+use crate::error::{KeyPlace, Note};
+use crate::expression::Expression;
 use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Side};
 
 /// An oscillator with a wall, as described by a file; a clone shares everything with the original.
@@ -79,24 +80,8 @@ pub struct OwnCurve {
     pub name: String,
     /// The numbers of loops p, among those of the analysis.
     pub loops: Vec<u32>,
-    /// The property that holds along the curve.
+    /// The property that holds along the curve, in the units of the file.
     pub property: Property,
-}
-
-/// A property that holds along a curve; all numbers are positive, in the units of the file.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Property {
-    /// The impact velocity.
-    ImpactVelocity(f64),
-    /// The larger modulus of the two multipliers.
-    Modulus(f64),
-    /// The distance from the wall at a phase.
-    Distance {
-        /// The distance.
-        distance: f64,
-        /// The phase of the forcing, in periods, from 0 to less than 1.
-        phase: f64,
-    },
 }
 
 /// The wall, and the conversion from its coordinates, in which the oscillator has the form of the

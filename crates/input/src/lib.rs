@@ -56,7 +56,7 @@ mod part;
 mod read;
 mod validate;
 
-pub use description::{Description, Expressions, OneParameter, OwnCurve, Property, Wall};
+pub use description::{Description, Expressions, OneParameter, OwnCurve, Wall};
 pub use document::{
     Key, Keys, Mistake, Place, Requirements, Schema, Section, Setting, SettingError, Source, SourceError,
     Text, kind, nearest, read_bytes, read_file, read_foreign, shortened, suggestion, what_is,

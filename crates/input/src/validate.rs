@@ -1,11 +1,13 @@
 //! From the file as written to a description for computation.
 
+use core::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
 use grazing_model::smooth::Stop;
+use grazing_results::plane::Property;
 
 use crate::description::{
-    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Property, Wall, WallView,
+    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Wall, WallView,
 };
 use crate::document::{Keys, Section, SourceError};
 use crate::error::{DescriptionError, KeyPlace};
@@ -301,7 +303,7 @@ fn own_curve(
     let property = match (impact_velocity, modulus, distance, phase) {
         (Some(velocity), None, None, None) => Property::ImpactVelocity(velocity),
         (None, Some(modulus), None, None) => Property::Modulus(modulus),
-        (None, None, Some(distance), Some(phase)) => Property::Distance { distance, phase },
+        (None, None, Some(distance), Some(phase)) => Property::Distance { phase: TAU * phase, distance },
         (None, None, Some(_), None) => {
             return Err(forbid(
                 "distance",

@@ -1,6 +1,5 @@
 //! Measured bifurcations, each associated with the curve that it lies on.
 
-use grazing_analysis::sequences::hit_both;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_continuation::locate::Condition;
@@ -96,7 +95,7 @@ pub(crate) type Sought = (Bifurcation, Option<u32>, Walls);
 
 /// The curves of solutions that hit both of two walls, of a kind and with a number of forcing periods; none of others.
 fn at_both(found: &Sequence, sought: Sought) -> Vec<Points<'_>> {
-    let both = hit_both(found);
+    let both = found.hits_both();
     found.curves.iter().filter(|_| both).filter_map(|curve| points(curve, &found.stops, sought)).collect()
 }
 

@@ -2,15 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use grazing_analysis::plane::{Axes, counts};
 use grazing_continuation::mps::unknown;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
 use grazing_results::brief;
 use grazing_results::measured::{Agreement, Comparison, MeasuredCount, MeasuredPoint};
 use grazing_results::place::{briefly, struck};
+use grazing_unfold::described::Axes;
 use grazing_unfold::long_time::{Fate, MotionKind};
 use grazing_unfold::place::{Place, Starts};
+use grazing_unfold::plane::counts;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::regions::Region;
 use grazing_unfold::sequences::Sequence;

@@ -1,15 +1,16 @@
 //! Identification of an oscillator's constants: the search from diagram to diagram, and the uncertainties
 //! of the resonances that follow.
 
-use grazing_analysis::unfolded::{AtResonance, from_each_wall};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 use grazing_results::measured::{Correlation, Identified, IdentifiedConstant, IdentifiedResonance, Residual};
+use grazing_unfold::described::from_each_wall;
 use grazing_unfold::family::{ArcEnd, arcs};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sequences::{Sequence, of_diagram};
+use grazing_unfold::unfolded::AtResonance;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use thiserror::Error;
 
@@ -321,7 +322,7 @@ impl Task<'_> {
         let mut known: Vec<AtResonance> = Vec::new();
         let mut all = Vec::new();
         for diagram in &diagrams {
-            let at_wall = |resonance| AtResonance::new(resonance, diagram.wall, &self.units);
+            let at_wall = |resonance| AtResonance::new(resonance, diagram.wall);
             let here: Vec<AtResonance> = diagram.resonances.iter().map(at_wall).collect();
             let rows = self.resonances_at(found, diagram).into_iter().zip(&here);
             let new = rows.filter(|(_, at)| !known.iter().any(|known| at.is_like(known)));

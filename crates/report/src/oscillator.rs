@@ -1,11 +1,12 @@
 //! Oscillators from text files: their descriptions, and the results of theorems, curves and simulation.
 
 use askama::filters::Safe;
-use grazing_analysis::unfolded::{AtResonance, CurveFinding, axes, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::Description;
 pub(crate) use grazing_results::columns::{C_SN, PRIMARY, SECONDARY};
 use grazing_results::{Column, Table};
+use grazing_unfold::described::Axes;
+use grazing_unfold::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_unfold::verdict::{Coefficient, Verdict};
 use grazing_unfold::verification::Simulated;
 
@@ -92,7 +93,7 @@ impl OscillatorEntry {
 
     /// The unit of a column in parentheses, after its heading.
     pub(crate) fn unit(&self, column: Column) -> Html {
-        Safe(in_parentheses(&column.unit(&axes(&self.description).names)))
+        Safe(in_parentheses(&column.unit(&Axes::of(&self.description).names)))
     }
 
     /// The resonances at which a theorem applies, or those at which none does.

@@ -3,11 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use grazing_analysis::plane;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_results::plane::{MagnifiedPanel, StraightenedCurves};
 use grazing_unfold::resonances::Resonance;
-use grazing_unfold::straightened::straighten;
+use grazing_unfold::straightened::{self, straighten};
 use grazing_unfold::verdict;
 use rayon::prelude::*;
 
@@ -48,7 +47,7 @@ impl Study {
     /// There is no grazing in the window.
     pub fn straightened(&self) -> Result<StraightenedCurves, StudyError> {
         let (theory, diagram) = (self.parameters.oscillator()?, self.diagram()?);
-        let etas = plane::straightened_etas(diagram.scope.window.secondary);
+        let etas = straightened::etas(diagram.scope.window.secondary);
         let resonances: Vec<_> = diagram.unfolding().collect();
         let curves = |&(found, point): &(&Resonance, &ResonantGrazingPoint)| {
             let coefficients = closed_form_coefficients(&theory.resonance(found.loops, found.n)?);
@@ -60,7 +59,7 @@ impl Study {
             let coefficients = *known;
             (MagnifiedPanel { panel, frame, loops, wall: 0, n, coefficients }, curves.as_slice())
         });
-        Ok(plane::straightened(panels))
+        Ok(straightened::panels(panels))
     }
 
     /// The computed values of the numbers that the paper prints, under the names of

@@ -138,6 +138,12 @@ pub trait Dimensioned {
     }
 }
 
+impl<T: Dimensioned> Dimensioned for Option<T> {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        self.iter_mut().for_each(|one| one.each_number(visit));
+    }
+}
+
 impl<T: Dimensioned> Dimensioned for Vec<T> {
     fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
         self.iter_mut().for_each(|one| one.each_number(visit));

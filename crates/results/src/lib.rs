@@ -4,16 +4,16 @@
 //! files are written from them. A column is declared once, in [`columns`], with name, symbol, unit,
 //! meaning and the paper's equation; a row type lists its columns ([`Row::COLUMNS`]). From this follow
 //! the headers, the pages that explain the data, headings and tooltips of the report, LaTeX tables and
-//! the names that are forbidden for parameters. Rows that are not drawn (coefficients, hypotheses,
-//! quantities along the grazing curve, the theorems in action) are the computed values themselves, with a
-//! column for each quantity reported ([`row!`]). Tables that are computed together, such as all tables of
+//! the names that are forbidden for parameters. A computed value may itself be a row, with a column for each
+//! quantity reported ([`row!`]). Tables that are computed together, such as all tables of
 //! one figure, are declared together ([`tables!`]).
 //!
 //! | module | rows and tables of |
 //! |---|---|
 //! | [`plane`] | two-parameter diagrams and magnifications: Figures 7 and 8, and those of any oscillator |
 //! | [`branches`] | Figure 2 |
-//! | [`resonance`] | what all tables of resonances have |
+//! | [`grazing`] | quantities along grazing curves |
+//! | [`resonance`] | results at resonances, and what all tables of resonances have |
 //! | [`family`] | resonances as constants of an oscillator vary |
 //! | [`measured`] | measurements beside a diagram, and what is identified from them |
 //! | [`place`] | the behaviour of an oscillator at one point of the parameter plane |
@@ -32,6 +32,7 @@ pub mod columns;
 mod dimension;
 pub mod family;
 mod frame;
+pub mod grazing;
 pub mod kinds;
 pub mod measured;
 mod names;

@@ -1,6 +1,6 @@
 //! The behaviour of an oscillator at one place of the parameter plane.
 
-use crate::{Stability, brief, rows, tables};
+use crate::{Stability, brief, dimensioned, rows, tables};
 
 rows! {
     /// An attractor that some of the initial states lead to.
@@ -110,6 +110,24 @@ tables! {
         from_the_wall: bool,
         /// The numbers of initial states across and up in the pictures of basins.
         lattice: [u32; 2],
+    }
+}
+
+dimensioned! {
+    Simulated, |own| {
+        own.motion,
+        own.impacts,
+    }
+
+    AtPlace, |own| {
+        own.attractors,
+        own.solutions,
+        own.motion,
+        own.impacts,
+        own.basins,
+        own.at[0] => "{primary}",
+        own.at[1] => "{secondary}",
+        own.period => "time",
     }
 }
 

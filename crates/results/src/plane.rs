@@ -1,11 +1,12 @@
 //! Two-parameter diagrams, and magnifications of them.
 
+use core::f64::consts::TAU;
 use core::fmt::{self, Display, Formatter};
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 
 use crate::measured::MeasuredPoint;
-use crate::{Cell, Field, Frame, Stability, dimensioned, rows, tables, words};
+use crate::{Cell, Dimension, Dimensioned, Field, Frame, Stability, dimensioned, row, rows, tables, words};
 
 words! {
     /// The kinds of regions of the parameter plane, by the solutions that are stable and admissible
@@ -68,7 +69,7 @@ rows! {
     /// A point of a curve that the file requests.
     OwnPoint {
         name: String = CURVE_NAME,
-        property: String = PROPERTY,
+        property: Property,
         loops: u32 = LOOPS,
         at: OnCurve,
     }
@@ -150,6 +151,55 @@ rows! {
         at: Vertex,
     }
 }
+
+/// A property that holds along a curve that a file requests; all numbers are positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Property {
+    /// The impact velocity y.
+    ImpactVelocity(f64),
+    /// The larger modulus of the two multipliers: the factor by which displacements change in p
+    /// forcing periods. The curve consists of pieces on which one multiplier is this, or minus
+    /// this, or both are complex with the square of this as their product.
+    Modulus(f64),
+    /// The distance from the wall, in one of the p periods, when the forcing is at a phase.
+    Distance {
+        /// The phase, in radians, from 0 to less than 2π.
+        phase: f64,
+        /// The distance.
+        distance: f64,
+    },
+}
+
+/// The property as text, such as `impact velocity = 0.1`.
+impl Display for Property {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ImpactVelocity(velocity) => write!(formatter, "impact velocity = {velocity}"),
+            Self::Modulus(modulus) => write!(formatter, "larger modulus of the multipliers = {modulus}"),
+            Self::Distance { phase, distance } => {
+                write!(
+                    formatter,
+                    "distance from the wall = {distance} at {} of the forcing period",
+                    phase / TAU
+                )
+            }
+        }
+    }
+}
+
+impl Dimensioned for Property {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        match self {
+            Self::ImpactVelocity(velocity) => visit(Dimension::of("length/time"), velocity),
+            Self::Modulus(_) => {}
+            Self::Distance { distance, .. } => visit(Dimension::of("length"), distance),
+        }
+    }
+}
+
+row! { Property, |own| {} [
+    PROPERTY = own.to_string(),
+] }
 
 /// The walls that the impacts of a solution hit, from 1, one after the other; none with one wall.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -295,14 +345,14 @@ tables! {
     }
 
     /// Solutions with several impacts.
-    SequenceDiagram {
+    SequenceDiagram: Dimensioned {
         resonances: SequenceResonance = "sequence_resonances", "a resonance on a curve along which solutions with impacts graze",
         curves: SequencePoint = "sequence_curves", "a point of a curve of solutions with several impacts",
         regions: SequenceVertex = "sequence_regions", "a vertex of a region of stability of solutions with several impacts",
     }
 
     /// The curves that a file requests.
-    OwnCurves {
+    OwnCurves: Dimensioned {
         own: OwnPoint = "own_curves", "a point of a curve of `[[curves]]`",
     }
 

@@ -1,9 +1,10 @@
 //! What tables of resonances have in common.
 
+use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{ResonantGrazing, ResonantPoint, Unfolding};
 use serde::{Deserialize, Serialize};
 
-use crate::rows;
+use crate::{row, rows, tables};
 
 rows! {
     /// The coefficients of the SN and PD curves that leave a resonance, by Theorem 2.4 or 2.5; NaN where its hypotheses fail.
@@ -35,6 +36,60 @@ rows! {
         xi: f64 = XI,
         a12_prime: f64 = A12_PRIME,
         kappa_prime: f64 = KAPPA_PRIME,
+    }
+
+    /// A resonance at which the theorem holds, with the results for its SN and PD curves, and c_2GZ as
+    /// measured.
+    CoefficientRow {
+        loops: u32 = LOOPS,
+        wall: u32 = WALL,
+        n: u32 = RESONANCE_INDEX,
+        secondary: f64 = SECONDARY_AT_RESONANCE,
+        primary: f64 = PRIMARY_AT_GRAZING,
+        coefficients: Coefficients,
+        measured: Measured,
+        c_sn_fit_error: f64 = C_SN_FIT_ERROR,
+        c_pd_fit_error: f64 = C_PD_FIT_ERROR,
+        sn_verdict: &'static str = SN_VERDICT,
+        sn_reason: String = SN_REASON,
+        pd_verdict: &'static str = PD_VERDICT,
+        pd_reason: String = PD_REASON,
+        quantities: Quantities,
+        sigma: f64 = SIGMA,
+        pd_criticality: f64 = PD_CRITICALITY,
+        c_2gz: f64 = C_2GZ,
+        c_2gz_fit: f64 = C_2GZ_FIT,
+        sn_as_simulated: &'static str = SN_AS_SIMULATED,
+        sn_simulation_reason: String = SN_SIMULATION_REASON,
+        pd_as_simulated: &'static str = PD_AS_SIMULATED,
+        pd_simulation_reason: String = PD_SIMULATION_REASON,
+    }
+
+    /// A hypothesis of the theorem at a resonance, whether or not all of them hold.
+    CheckedHypothesis {
+        loops: u32 = LOOPS,
+        wall: u32 = WALL,
+        n: u32 = RESONANCE_INDEX,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        theorem: &'static str = THEOREM,
+        hypothesis: Hypothesis,
+    }
+}
+
+row! { Hypothesis, |own| {} [
+    HYPOTHESIS = own.statement().to_string(),
+    HYPOTHESIS_VALUE = own.value,
+    HOLDS = own.holds(),
+] }
+
+tables! {
+    /// Results at resonances.
+    AtResonances: Dimensioned {
+        coefficients: CoefficientRow = "coefficients",
+            "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
+        hypotheses: CheckedHypothesis = "hypotheses",
+            "a hypothesis of the theorem at a resonance, whether or not it holds",
     }
 }
 

@@ -7,11 +7,11 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
 use std::thread;
 
-use grazing_analysis::unfolded::Unfolded;
 use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Progress;
+use grazing_unfold::unfolded::Unfolded;
 
 use crate::random::Random;
 use crate::regions::doubts;

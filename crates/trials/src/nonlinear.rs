@@ -1,10 +1,10 @@
 //! Compares shaded regions of any oscillator with continuation and simulation, on a lattice of points.
 
-use grazing_analysis::unfolded::prepared;
 use grazing_continuation::mps::{PeriodicSolution, Unknowns, unknown};
 use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
+use grazing_unfold::described::Prepared;
 use grazing_unfold::simulation::Suspect;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
@@ -65,7 +65,7 @@ const MOST_STEPS: u64 = 200_000_000;
 /// There is nothing to unfold.
 pub fn unfolded(description: &Description) -> Result<Diagram, UnfoldError> {
     let stop = Stop::after(MOST_STEPS);
-    let (oscillator, scope) = prepared(description, &description.units(), &stop);
+    let Prepared { oscillator, scope, .. } = Prepared::of(description, &stop);
     let diagram = Diagram::compute(&oscillator, &scope, &stop);
     stop.withdraw();
     diagram

@@ -5,6 +5,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
+use grazing_input::OwnCurve;
 use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator};
 
@@ -12,7 +13,7 @@ pub use crate::curves::{CodimensionTwoPoint, DiagramCurve, route};
 use crate::curves::{Net, drawn, within};
 use crate::grazing::GrazingCurve;
 use crate::non_impacting::{self, NonImpacting};
-use crate::own_curves::{Level, LevelCurve, Levels};
+use crate::own_curves::{self, FoundCurve};
 use crate::parallel;
 use crate::progress::Progress;
 use crate::regions::{self, Decided, Region};
@@ -83,10 +84,10 @@ pub struct Diagram {
     pub codimension_two: Vec<CodimensionTwoPoint>,
     /// Regions in which solutions are stable, and regions in which this is undecided.
     pub regions: Vec<Region>,
-    /// The requested curves with a property.
-    pub asked: Vec<Level>,
+    /// Requests for further curves, along which solutions have a property.
+    pub requested: Vec<OwnCurve>,
     /// The curves with these properties that were found.
-    pub levels: Levels,
+    pub own: own_curves::Found,
     /// Resonances that were detected but could not be located.
     pub unlocated: Vec<Unlocated>,
     /// Resonances whose curves could not be followed.
@@ -186,8 +187,8 @@ impl Diagram {
             curves,
             codimension_two: Vec::new(),
             regions,
-            asked: Vec::new(),
-            levels: Levels::default(),
+            requested: Vec::new(),
+            own: own_curves::Found::default(),
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
             unfinished,
@@ -213,10 +214,16 @@ impl Diagram {
         Ok(diagram)
     }
 
+    /// Descriptions of resonances that could not be located, and of those whose curves could not be followed.
+    pub fn lost(&self) -> impl Iterator<Item = String> {
+        let unlocated = self.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
+        unlocated.chain(self.not_unfolded.iter().map(|lost| format!("{}: {}", lost.name(), lost.reason)))
+    }
+
     /// The diagram with requests for further curves.
     #[must_use]
-    pub fn asking_for(self, levels: Vec<Level>) -> Self {
-        Self { asked: levels, ..self }
+    pub fn requesting(self, requested: Vec<OwnCurve>) -> Self {
+        Self { requested, ..self }
     }
 
     /// The diagram with the curves followed from its resonances, in the order of their list, and
@@ -244,26 +251,25 @@ impl Diagram {
             let open = Region::not_finished(self.scope.window, net.loops());
             decided(net.loops(), &net.curves, &[open]);
         }
-        let asked = (&self.scope, self.asked.as_slice());
-        let of_mps = regions::of_mps(&self.oscillator, asked, &grazing, &mut nets, progress, decided);
+        let requested = (&self.scope, self.requested.as_slice());
+        let of_mps = regions::of_mps(&self.oscillator, requested, &grazing, &mut nets, progress, decided);
         if progress.stopped() {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
         }
-        for ((net, known), (regions, levels)) in nets.iter_mut().zip(known).zip(of_mps) {
+        for ((net, known), (regions, own)) in nets.iter_mut().zip(known).zip(of_mps) {
             let regions = regions.unwrap_or_else(|| {
                 // The part in progress at the moment of cancellation is meaningless.
                 *net = known;
                 vec![Region::not_finished(self.scope.window, net.loops())]
             });
             self.regions.extend(regions);
-            self.levels.curves.extend(levels.curves);
-            self.levels.lost.extend(levels.lost);
+            self.own.extend(own);
         }
         self.take(nets, &followed);
         if let Some(window) = widened(self.scope.window) {
             let scope = Scope { window, ..self.scope.clone() };
             if let Ok(wide) = Self::located(&self.oscillator, &scope, progress) {
-                let wide = wide.asking_for(self.asked.clone());
+                let wide = wide.requesting(self.requested.clone());
                 let followed = wide.follow(progress, &|_, _| ());
                 let wide = wide.with(followed, progress);
                 // The same holds for curves, to which no resonance in the window need lead.
@@ -271,12 +277,12 @@ impl Diagram {
                 self.regions = wide.regions.iter().flat_map(|region| region.within(window)).collect();
                 self.curves = wide.curves.iter().flat_map(|curve| curve.within(window)).collect();
                 let inside = |point: &CodimensionTwoPoint| window.contains(point.event.solution.parameters());
-                let levels = wide.levels.curves.iter();
-                let level = |found: &LevelCurve| {
+                let pieces = |found: &FoundCurve| {
                     let pieces = within(&found.curve, window);
-                    pieces.into_iter().map(|curve| LevelCurve { curve, ..*found }).collect::<Vec<_>>()
+                    pieces.into_iter().map(|curve| FoundCurve { curve, ..*found }).collect::<Vec<_>>()
                 };
-                self.levels = Levels { curves: levels.flat_map(level).collect(), lost: wide.levels.lost };
+                let own = wide.own.curves.iter().flat_map(pieces).collect();
+                self.own = own_curves::Found { curves: own, lost: wide.own.lost };
                 self.codimension_two = wide.codimension_two.into_iter().filter(inside).collect();
                 self.unfinished.extend(wide.unfinished);
             }

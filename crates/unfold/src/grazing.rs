@@ -4,6 +4,8 @@
 //! arclength with folds in μ and η passed like any other point. Paper: Assumption 2.2, satisfied
 //! after the change of parameter μ ↦ μ − μ_graz(η).
 
+pub mod along;
+
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd, across};

@@ -209,3 +209,11 @@ fn faithful(point: &ResonantGrazingPoint, kind: Bifurcation, curve: &[[f64; 2]])
     // A curve that bends at once is shown over its first steps.
     f64::max(reached, curve.get(1).map_or(0.0, |first| (first[1] - origin).abs()))
 }
+
+/// Curves of magnifications, panel by panel from 1.
+pub fn numbered<'a>(panels: impl IntoIterator<Item = &'a Vec<MagnifiedPoint>>) -> Vec<MagnifiedPoint> {
+    let panels = (1..).zip(panels);
+    panels
+        .flat_map(|(panel, points)| points.iter().map(move |point| MagnifiedPoint { panel, ..point.clone() }))
+        .collect()
+}

@@ -12,6 +12,7 @@ mod flights;
 mod oriented;
 mod portraits;
 mod readings;
+pub mod requested;
 mod visits;
 
 use grazing_continuation::arclength::StepControl;

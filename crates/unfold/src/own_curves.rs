@@ -6,14 +6,14 @@
 //! no regions, and continue where solutions are unstable or inadmissible.
 
 use core::f64::consts::TAU;
-use core::fmt;
 use core::mem::discriminant;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, Route, SolutionCurve, Window};
 use grazing_continuation::locate::{Condition, LocateFailure, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, PeriodicSolution, Unknowns, parameters, unknown};
-use grazing_results::{Dimension, Dimensioned};
+use grazing_input::OwnCurve;
+use grazing_results::plane::Property;
 
 use crate::curves::route;
 use crate::parallel;
@@ -24,50 +24,11 @@ use crate::slices::{CARRIED_OFF, Slicer};
 /// grazing).
 const BESIDE_GRAZING: f64 = 1e-4;
 
-/// A property requested of an MPS.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Property {
-    /// The impact velocity y > 0.
-    ImpactVelocity(f64),
-    /// The larger modulus of the two multipliers: the factor by which displacements change in p
-    /// forcing periods. The curve consists of pieces on which one multiplier is this, or minus
-    /// this, or both are complex with the square of this as their product.
-    Modulus(f64),
-    /// The distance from the wall, in one of the p periods, when the forcing is at a phase.
-    Distance {
-        /// The phase, in radians.
-        phase: f64,
-        /// The distance, positive.
-        distance: f64,
-    },
-}
-
-impl Dimensioned for Property {
-    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
-        match self {
-            Self::ImpactVelocity(velocity) => visit(Dimension::of("length/time"), velocity),
-            Self::Modulus(_) => {}
-            Self::Distance { distance, .. } => visit(Dimension::of("length"), distance),
-        }
-    }
-}
-
-/// A request for curves.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// The name of the curves.
-    pub name: String,
-    /// The numbers of loops p of the MPSs.
-    pub loops: Vec<u32>,
-    /// The property that holds along the curves.
-    pub property: Property,
-}
-
 /// A curve that was requested.
 #[derive(Clone, Debug)]
-pub struct LevelCurve {
+pub struct FoundCurve {
     /// The index of the request in the list.
-    pub level: usize,
+    pub request: usize,
     /// Number of loops p.
     pub loops: u32,
     /// The curve.
@@ -76,9 +37,9 @@ pub struct LevelCurve {
 
 /// A point on a requested curve that was not located.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LostLevel {
+pub struct LostPoint {
     /// The index of the request in the list.
-    pub level: usize,
+    pub request: usize,
     /// Number of loops p.
     pub loops: u32,
     /// The approximate parameters (μ, η).
@@ -89,11 +50,19 @@ pub struct LostLevel {
 
 /// The requested curves that were found.
 #[derive(Clone, Debug, Default)]
-pub struct Levels {
+pub struct Found {
     /// The curves.
-    pub curves: Vec<LevelCurve>,
+    pub curves: Vec<FoundCurve>,
     /// The points that were not located.
-    pub lost: Vec<LostLevel>,
+    pub lost: Vec<LostPoint>,
+}
+
+impl Found {
+    /// Adds what else was found.
+    pub(crate) fn extend(&mut self, more: Self) {
+        self.curves.extend(more.curves);
+        self.lost.extend(more.lost);
+    }
 }
 
 /// A crossing: between two points of a curve its solutions have the property.
@@ -105,58 +74,43 @@ struct Crossing<'a> {
     times: &'a EventTimes,
 }
 
-/// The property as text, such as `impact velocity = 0.1`.
-impl fmt::Display for Property {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::ImpactVelocity(velocity) => write!(f, "impact velocity = {velocity}"),
-            Self::Modulus(modulus) => write!(f, "larger modulus of the multipliers = {modulus}"),
-            Self::Distance { phase, distance } => {
-                write!(f, "distance from the wall = {distance} at {} of the forcing period", phase / TAU)
-            }
+/// The conditions under which solutions near this one may have a property.
+fn conditions(property: Property, equations: &LoopEquations, about: &PeriodicSolution) -> Vec<Condition> {
+    match property {
+        Property::ImpactVelocity(velocity) => vec![Condition::ImpactVelocity(velocity)],
+        Property::Modulus(modulus) => vec![
+            Condition::Multiplier(modulus),
+            Condition::Multiplier(-modulus),
+            Condition::Product(modulus * modulus),
+        ],
+        Property::Distance { phase, distance } => {
+            let recoil = equations.departure(&about.unknowns).phase;
+            let before = phase + TAU * libm::floor((recoil - phase) / TAU);
+            let turns = (0..=equations.loops() + 1).map(|turn| before + TAU * f64::from(turn));
+            turns.map(|phase| Condition::Position { phase, position: -distance }).collect()
         }
     }
 }
 
-impl Property {
-    /// The conditions under which solutions near this one may have the property.
-    fn conditions(self, equations: &LoopEquations, about: &PeriodicSolution) -> Vec<Condition> {
-        match self {
-            Self::ImpactVelocity(velocity) => vec![Condition::ImpactVelocity(velocity)],
-            Self::Modulus(modulus) => vec![
-                Condition::Multiplier(modulus),
-                Condition::Multiplier(-modulus),
-                Condition::Product(modulus * modulus),
-            ],
-            Self::Distance { phase, distance } => {
-                let recoil = equations.departure(&about.unknowns).phase;
-                let before = phase + TAU * libm::floor((recoil - phase) / TAU);
-                let turns = (0..=equations.loops() + 1).map(|turn| before + TAU * f64::from(turn));
-                turns.map(|phase| Condition::Position { phase, position: -distance }).collect()
-            }
-        }
+/// The margin by which a solution has a property under a condition: negative where another
+/// multiplier is larger, or multipliers are real.
+fn margin(property: Property, condition: Condition, solution: &PeriodicSolution) -> f64 {
+    let multipliers = &solution.multipliers;
+    match (property, condition) {
+        (Property::Modulus(modulus), Condition::Product(_)) => 2.0 * modulus - multipliers.trace.abs(),
+        (Property::Modulus(modulus), _) => modulus * modulus - multipliers.determinant.abs(),
+        _ => f64::INFINITY,
     }
+}
 
-    /// The margin by which a solution has the property under a condition: negative where another
-    /// multiplier is larger, or multipliers are real.
-    fn margin(self, condition: Condition, solution: &PeriodicSolution) -> f64 {
-        let multipliers = &solution.multipliers;
-        match (self, condition) {
-            (Self::Modulus(modulus), Condition::Product(_)) => 2.0 * modulus - multipliers.trace.abs(),
-            (Self::Modulus(modulus), _) => modulus * modulus - multipliers.determinant.abs(),
-            _ => f64::INFINITY,
-        }
-    }
-
-    /// The condition that also holds where the margin vanishes.
-    fn corner(self, condition: Condition, solution: &PeriodicSolution) -> Option<Condition> {
-        let Self::Modulus(modulus) = self else { return None };
-        let multipliers = &solution.multipliers;
-        Some(match condition {
-            Condition::Product(_) => Condition::Multiplier(modulus.copysign(multipliers.trace)),
-            _ => Condition::Product((modulus * modulus).copysign(multipliers.determinant)),
-        })
-    }
+/// The condition that also holds where the margin vanishes.
+fn corner(property: Property, condition: Condition, solution: &PeriodicSolution) -> Option<Condition> {
+    let Property::Modulus(modulus) = property else { return None };
+    let multipliers = &solution.multipliers;
+    Some(match condition {
+        Condition::Product(_) => Condition::Multiplier(modulus.copysign(multipliers.trace)),
+        _ => Condition::Product((modulus * modulus).copysign(multipliers.determinant)),
+    })
 }
 
 /// The function that vanishes where a condition holds.
@@ -192,13 +146,13 @@ pub(crate) fn find(
     slicer: &Slicer,
     sources: &[&Curve],
     route: &Route<'_>,
-    (number, level): (usize, &Level),
+    (number, request): (usize, &OwnCurve),
     progress: &dyn Progress,
-) -> Levels {
-    let (equations, property) = (&slicer.equations, level.property);
+) -> Found {
+    let (equations, property) = (&slicer.equations, request.property);
     let crossings: Vec<Vec<Crossing<'_>>> =
         parallel::map(sources, |source| crossed(equations, source, property));
-    let mut found = Levels::default();
+    let mut found = Found::default();
     let loops = equations.loops();
     for Crossing { along, condition, near, length, times } in crossings.into_iter().flatten() {
         if progress.stopped() {
@@ -209,23 +163,23 @@ pub(crate) fn find(
         }
         let mut times = times.clone();
         match locate_within(length, equations, [condition, along], near.clone(), &mut times) {
-            Ok(start) if property.margin(condition, &equations.solution(&start)) >= 0.0 => {
+            Ok(start) if margin(property, condition, &equations.solution(&start)) >= 0.0 => {
                 let begun = (condition, start, times);
                 let curves = followed(slicer, route, property, begun, &found.curves);
-                found.curves.extend(curves.into_iter().map(|curve| LevelCurve {
-                    level: number,
+                found.curves.extend(curves.into_iter().map(|curve| FoundCurve {
+                    request: number,
                     loops,
                     curve,
                 }));
             }
             Ok(_) => {}
             Err(reason) => {
-                found.lost.push(LostLevel { level: number, loops, near: parameters(&near), reason });
+                found.lost.push(LostPoint { request: number, loops, near: parameters(&near), reason });
             }
         }
     }
     // Points that other crossings have reached are not missing.
-    let Levels { curves, lost } = &mut found;
+    let Found { curves, lost } = &mut found;
     lost.retain(|lost| !curves.iter().any(|known| passes_near(&known.curve, lost.near, slicer)));
     found
 }
@@ -240,13 +194,13 @@ pub fn through(
 ) -> Vec<Curve> {
     let slicer = Slicer::new(equations.clone(), window, StepControl::DRAWING);
     let route = Route { stop_at_events: false, ..route(window, StepControl::DRAWING) };
-    let conditions = property.conditions(equations, &equations.solution(&start));
+    let conditions = conditions(property, equations, &equations.solution(&start));
     let begun = conditions.into_iter().map(|condition| (condition, start.clone(), times.clone()));
     begun.flat_map(|begun| followed(&slicer, &route, property, begun, &[])).collect()
 }
 
 /// Whether a solution lies on a known piece.
-fn is_known(known: &[LevelCurve], slicer: &Slicer, condition: Condition, at: &Unknowns) -> bool {
+fn is_known(known: &[FoundCurve], slicer: &Slicer, condition: Condition, at: &Unknowns) -> bool {
     let mut same = known.iter().filter(|known| alike(known.curve.condition, condition));
     same.any(|known| slicer.passes(&known.curve, at))
 }
@@ -258,7 +212,7 @@ fn followed(
     route: &Route<'_>,
     property: Property,
     begun: (Condition, Unknowns, EventTimes),
-    known: &[LevelCurve],
+    known: &[FoundCurve],
 ) -> Vec<Curve> {
     let equations = &slicer.equations;
     let (mut begun, mut all) = (vec![begun], Vec::<Curve>::new());
@@ -292,7 +246,7 @@ fn crossed<'a>(equations: &LoopEquations, source: &'a Curve, property: Property)
         let ends =
             [[0, 1], [1, 0]].map(|[k, other]| off_grazing(equations, source, [&pair[k], &pair[other]]));
         let [Some(from), Some(to)] = &ends else { continue };
-        for condition in property.conditions(equations, from) {
+        for condition in conditions(property, equations, from) {
             let [before, after] = [from, to].map(|solution| excess(equations, condition, solution));
             if before * after > 0.0 || !(before - after).is_normal() {
                 continue;
@@ -338,7 +292,7 @@ fn with_events(mut curve: Curve) -> Curve {
 /// The parts of a curve on which its solutions have the property, each up to its end.
 fn parts(equations: &LoopEquations, property: Property, whole: Curve) -> Vec<Curve> {
     let condition = whole.condition;
-    let inside = |point: &CurvePoint| property.margin(condition, &point.solution) >= 0.0;
+    let inside = |point: &CurvePoint| margin(property, condition, &point.solution) >= 0.0;
     let Curve { points, end, beginning, .. } = whole;
     let begin = |beginning| Curve {
         condition,
@@ -381,8 +335,8 @@ fn corner_between(
     condition: Condition,
     [before, after]: [&CurvePoint; 2],
 ) -> Option<(Option<CurvePoint>, CurveEnd)> {
-    let other = property.corner(condition, &before.solution)?;
-    let [from, to] = [before, after].map(|point| property.margin(condition, &point.solution));
+    let other = corner(property, condition, &before.solution)?;
+    let [from, to] = [before, after].map(|point| margin(property, condition, &point.solution));
     let chord = &after.solution.unknowns - &before.solution.unknowns;
     let near = &before.solution.unknowns + chord * (from / (from - to));
     let mut times = before.times.clone();

@@ -2,7 +2,9 @@
 //! attractors.
 
 mod basins;
+mod from_state;
 mod outcome;
+mod rows;
 
 use grazing_continuation::mps::{LoopEquations, Multipliers, Unknowns, unknown};
 use grazing_model::orbit::Flight;
@@ -13,7 +15,9 @@ use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 
 use self::basins::basins;
+pub use self::from_state::simulated;
 use self::outcome::{Known, Outcome, each, long_orbit};
+pub use self::rows::at_place;
 use crate::Scope;
 use crate::long_time::{
     Exponent, Fate, Horizon, LongOrbit, MotionKind, Patience, Strike, random_start, same_impact, sampled,
@@ -123,6 +127,8 @@ pub struct Place {
     /// The states of the lattice, each with the index of its attractor; `None` if it has not settled in
     /// the time for which it was followed.
     pub basins: Vec<(State, Option<usize>)>,
+    /// The number of phases and the number of positions of the lattice.
+    pub lattice: [u32; 2],
 }
 
 /// The names of the stages.
@@ -289,7 +295,8 @@ impl Place {
             found.extend(on_branches(oscillator, scope, settled));
             found
         };
-        Self::of(oscillator, (&states, &lattice), starts.horizon, progress, found)
+        let found = Self::of(oscillator, (&states, &lattice), starts.horizon, progress, found)?;
+        Some(Self { lattice: starts.lattice, ..found })
     }
 
     /// The continuation of the solutions and attractors of a nearby place, which takes little time;
@@ -353,7 +360,7 @@ impl Place {
         let attractors = each(MOTION, &shown, progress, attractor)?;
         let place = |index: usize| order.iter().position(|known| *known == index);
         let basins = lattice.into_iter().map(|(start, index)| (start, index.and_then(place))).collect();
-        (!progress.stopped()).then_some(Self { solutions, attractors, period, basins })
+        (!progress.stopped()).then_some(Self { solutions, attractors, period, basins, lattice: [0, 0] })
     }
 }
 

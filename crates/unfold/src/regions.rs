@@ -10,6 +10,7 @@ mod slice_placement;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
+use grazing_input::OwnCurve;
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::Purpose;
 
@@ -18,7 +19,7 @@ use crate::curves::{DiagramCurve, Net};
 use crate::entering_curves;
 use crate::faces::{self, Face, Point};
 use crate::grazing::GrazingCurve;
-use crate::own_curves::{Level, Levels};
+use crate::own_curves::Found;
 use crate::parallel;
 use crate::progress::Progress;
 use crate::search;
@@ -60,12 +61,12 @@ pub type Decided<'a> = &'a (dyn Fn(u32, &[DiagramCurve], &[Region]) + Sync);
 /// each p as soon as its regions are decided.
 pub(crate) fn of_mps(
     oscillator: &AnyOscillator,
-    (scope, asked): (&Scope, &[Level]),
+    (scope, requested): (&Scope, &[OwnCurve]),
     grazing: &[GrazingCurve],
     nets: &mut [Net],
     progress: &dyn Progress,
     finished: Decided<'_>,
-) -> Vec<(Option<Vec<Region>>, Levels)> {
+) -> Vec<(Option<Vec<Region>>, Found)> {
     let window = scope.window;
     let levels = levels(window);
     progress.begin(STAGE, nets.len() as u64);
@@ -83,9 +84,9 @@ pub(crate) fn of_mps(
         {
             finished(loops, survey.curves(), regions);
         }
-        let levels = survey.levels(asked, progress);
+        let own = survey.own_curves(requested, progress);
         progress.step(STAGE);
-        (regions, if progress.stopped() { Levels::default() } else { levels })
+        (regions, if progress.stopped() { Found::default() } else { own })
     });
     progress.end(STAGE);
     regions

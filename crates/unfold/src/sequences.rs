@@ -10,6 +10,8 @@
 //! generation: what MPSs are to one wall they are to two. Those that are their own mirror images and those that
 //! are not are one surface, which branches at pitchforks.
 
+mod rows;
+
 use std::collections::BTreeMap;
 
 use grazing_continuation::bifurcation::Bifurcation;

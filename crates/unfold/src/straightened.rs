@@ -16,7 +16,8 @@ use grazing_continuation::locate::{Condition, locate, same_point};
 use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
 use grazing_continuation::resonance::{LeavingCurve, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
-use grazing_results::plane::StraightenedPoint;
+use grazing_results::Frame;
+use grazing_results::plane::{MagnifiedPanel, StraightenedCurves, StraightenedPoint};
 use grazing_theorems::from_map::GrazingPlace;
 
 use crate::diagram::Diagram;
@@ -165,4 +166,45 @@ fn far(
     let value = distance(&equations)?;
     let integration = finer.map_or(Some(0.0), |fine| Some((fine? - value).abs()))?;
     Some(Estimate { value, error: rounding(curve, eta) + integration })
+}
+
+/// The leading digits of the |η| at which curves are straightened, for each decade.
+const PER_DECADE: [f64; 5] = [1.0, 1.6, 2.5, 4.0, 6.3];
+/// The number of decades.
+const DECADES: i32 = 8;
+
+/// Values of |η| over eight decades up to the largest power of ten within a range of the secondary
+/// parameter, all in the parameter's own unit, in which they are round numbers.
+pub fn etas([low, high]: [f64; 2]) -> Vec<f64> {
+    let top = libm::floor(libm::log10(high - low)) as i32;
+    let decade = |power: i32| PER_DECADE.map(|digits| round(digits, power));
+    (top - DECADES..top).flat_map(decade).chain([round(1.0, top)]).collect()
+}
+
+/// The number `digits`·10^`power`, correctly rounded.
+fn round(digits: f64, power: i32) -> f64 {
+    format!("{digits}e{power}").parse().unwrap_or(f64::NAN)
+}
+
+/// Margin of a panel as a fraction of the extent of the limits.
+const MARGIN: f64 = 0.25;
+
+/// Curves in straightened coordinates, with a panel for each resonance that has curves; the frames of the
+/// panels are chosen here. All in the oscillator's own units.
+pub fn panels<'a>(
+    panels: impl IntoIterator<Item = (MagnifiedPanel, &'a [StraightenedPoint])>,
+) -> StraightenedCurves {
+    let (mut rows, mut shown) = (Vec::new(), Vec::new());
+    for (panel, points) in panels {
+        rows.extend(points.iter().map(|point| StraightenedPoint { panel: panel.panel, ..point.clone() }));
+        let limits = || points.iter().map(|point| point.limit);
+        let [low, high] = [limits().fold(0.0, f64::min), limits().fold(0.0, f64::max)];
+        let margin = MARGIN * (high - low);
+        let farthest = points.iter().map(|point| point.eta.abs()).fold(0.0, f64::max);
+        if farthest > 0.0 && margin > 0.0 {
+            let frame = Frame { x: [low - margin, high + margin], y: [-farthest, farthest] };
+            shown.push(MagnifiedPanel { frame, ..panel });
+        }
+    }
+    StraightenedCurves { curves: rows, panels: shown }
 }

@@ -14,6 +14,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint, Event, Pace, Route};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
+use grazing_input::OwnCurve;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Purpose;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -24,7 +25,7 @@ use crate::close_curves::Vertices;
 use crate::curves::{DiagramCurve, Net, route};
 use crate::entering_curves;
 use crate::grazing::GrazingCurve;
-use crate::own_curves::{self, Level, Levels};
+use crate::own_curves;
 use crate::parallel;
 use crate::progress::Progress;
 use crate::slices::{FREE_STEPS, Slice, Slicer, precise, spread, steps};
@@ -309,16 +310,14 @@ impl<'a> Survey<'a> {
     }
 
     /// The requested curves, along which the solutions have a property.
-    pub(crate) fn levels(&self, asked: &[Level], progress: &dyn Progress) -> Levels {
+    pub(crate) fn own_curves(&self, requested: &[OwnCurve], progress: &dyn Progress) -> own_curves::Found {
         let branches = self.slices.iter().flat_map(|slice| &slice.branches).chain(&self.columns);
         let sources: Vec<&Curve> = branches.chain(self.net.curves.iter().map(|curve| &curve.curve)).collect();
         let route = Route { stop_at_events: false, ..self.route };
-        let mut all = Levels::default();
-        let own = asked.iter().enumerate().filter(|(_, level)| level.loops.contains(&self.loops()));
-        for level in own {
-            let Levels { curves, lost } = own_curves::find(&self.slicer, &sources, &route, level, progress);
-            all.curves.extend(curves);
-            all.lost.extend(lost);
+        let mut all = own_curves::Found::default();
+        let of_these = |(_, request): &(usize, &OwnCurve)| request.loops.contains(&self.loops());
+        for request in requested.iter().enumerate().filter(of_these) {
+            all.extend(own_curves::find(&self.slicer, &sources, &route, request, progress));
         }
         all
     }

@@ -1,7 +1,7 @@
 //! Each curve, point and region of Figure 7, with the proved statement about it.
 
-use grazing_analysis::plane::{self, Axes};
 use grazing_results::plane::{OnCurve, PlanePoint, RegionVertex, SpecialPoint};
+use grazing_unfold::plane;
 
 use super::*;
 
@@ -50,9 +50,9 @@ pub(super) fn items(
     statement: &Statement,
     rows: &[Row],
 ) -> Result<Vec<ProofItem>, StudyError> {
-    let (diagram, axes) = (study.diagram()?, Axes::of_the_paper());
-    let (curves, points) = (plane::curves(&axes, diagram), plane::points(&axes, diagram));
-    let (regions, look) = (plane::regions(&axes, &diagram.regions), Lookup { statement, rows });
+    let diagram = study.diagram()?;
+    let (curves, points) = (plane::curves(diagram), plane::points(diagram));
+    let (regions, look) = (plane::regions(&diagram.regions), Lookup { statement, rows });
     let curves = curves.chunk_by(|a, b| a.at.arc == b.at.arc).map(|curve| of_curve(&look, curve));
     let points = (1..).zip(&points).map(|(number, point)| {
         let (from, to, amplitude, statement) = of_point(statement, rows, point);

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use grazing_analysis::family::{Plan, Varied};
 use grazing_input::Description;
 use grazing_results::family::{Family, Member, Resonance};
 use grazing_results::{Names, brief, with_unit};
+use grazing_unfold::family::{Plan, Varied};
 
 use crate::layout::Layout;
 use crate::variation::Part;

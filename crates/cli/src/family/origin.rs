@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use grazing_analysis::family::{Plan, Record};
 use grazing_input::{Description, Setting, Text};
 use grazing_model::smooth::Stop;
+use grazing_unfold::family::{Plan, Record};
 use serde::{Deserialize, Serialize};
 
 use super::plan;

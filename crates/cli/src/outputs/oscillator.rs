@@ -3,7 +3,6 @@
 use std::error::Error;
 use std::path::Path;
 
-use grazing_analysis::unfolded::{AlongGrazing, AtResonances, Unfolded};
 use grazing_drawing::{
     DrawingError, Heading, Look, Sheet, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
@@ -11,11 +10,14 @@ use grazing_drawing::{
 use grazing_input::{FigureStyle, Named as Legend};
 use grazing_results::Title;
 use grazing_results::branches::{OneParameter, Orbits, Readings};
+use grazing_results::grazing::AlongGrazing;
 use grazing_results::measured::Comparison;
 use grazing_results::place::AtPlace;
 use grazing_results::plane::{Magnifications, OwnCurves, PlaneDiagram, SequenceDiagram, StraightenedCurves};
 use grazing_results::readings::{Ordinate, Sweep};
+use grazing_results::resonance::AtResonances;
 use grazing_results::{Names, Stability, Tables, brief, columns};
+use grazing_unfold::unfolded::Unfolded;
 
 use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
@@ -61,7 +63,7 @@ impl AnalysedOscillator {
         let missing = [
             self.unfolded.diagrams.is_empty().then_some(DIAGRAMS),
             self.unfolded.diagrams.iter().all(|diagram| diagram.readings.is_empty()).then_some(READINGS),
-            self.unfolded.diagram.asked.is_empty().then_some(OWN),
+            self.unfolded.diagram.requested.is_empty().then_some(OWN),
             self.unfolded.sequences.solutions.is_empty().then_some(SEVERAL),
             self.compared.is_none().then_some(MEASURED),
             self.places.is_empty().then_some(PLACES.name),

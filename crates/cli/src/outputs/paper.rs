@@ -2,7 +2,6 @@
 
 use std::error::Error;
 
-use grazing_analysis::limit_map::LimitTable;
 use grazing_beyond::{all_figures, limit_maps};
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig07::Figure7;
@@ -13,6 +12,7 @@ use grazing_reproduction::{
 use grazing_results::columns::{C_2GZ, LOOPS, M_2GZ, M_PD, M_SN, RESONANCE_INDEX, SIGMA};
 use grazing_results::plane::StraightenedCurves;
 use grazing_results::{Names, Tables, Title};
+use grazing_unfold::limit_map::LimitTable;
 
 use super::latex::Caption;
 use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, PrintedTable};

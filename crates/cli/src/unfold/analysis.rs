@@ -1,8 +1,9 @@
 //! The analysis of an oscillator from a text file, up to its limits.
 
-use grazing_analysis::nothing::Nothing;
-use grazing_analysis::unfolded::{Keep, Prepared, Unfolded};
 use grazing_unfold::UnfoldError;
+use grazing_unfold::described::Prepared;
+use grazing_unfold::nothing::Nothing;
+use grazing_unfold::unfolded::{Keep, Unfolded};
 
 use crate::failure::Failure;
 use crate::limits::{EndCause, ended};

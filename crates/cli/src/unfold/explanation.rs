@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use grazing_analysis::nothing::place;
-use grazing_analysis::unfolded::AtResonance;
 use grazing_input::Description;
 use grazing_model::smooth::Purpose;
 use grazing_results::brief;
 use grazing_theorems::{ResonantPoint, Unfolding};
+use grazing_unfold::nothing::place;
+use grazing_unfold::unfolded::AtResonance;
 
 use super::analysis::Analysis;
 use crate::layout::{KEPT, Layout};

@@ -5,10 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use grazing_analysis::unfolded::{Draft, axes};
 use grazing_drawing::SheetWidth;
 use grazing_input::Description;
 use grazing_results::Names;
+use grazing_unfold::described::Axes;
+use grazing_unfold::unfolded::Draft;
 
 use crate::folder::{self, OutputFile};
 use crate::outputs::oscillator::Named;
@@ -61,7 +62,7 @@ impl Keeper {
         Self {
             folder: folder.to_owned(),
             file: file.to_owned(),
-            names: axes(&description).names,
+            names: Axes::of(&description).names,
             description,
             width,
             pause,
@@ -125,9 +126,9 @@ impl Keeper {
 mod tests {
     use std::fs;
 
-    use grazing_analysis::unfolded::Unfolded;
     use grazing_model::smooth::Stop;
     use grazing_unfold::progress::Silent;
+    use grazing_unfold::unfolded::Unfolded;
 
     use super::*;
 

@@ -7,16 +7,15 @@ mod window;
 
 use std::path::Path;
 
-use grazing_analysis::along::{along_curve, forgotten};
-use grazing_analysis::nothing::place;
-use grazing_analysis::sequences::walls;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_input::{Axis, Description};
 use grazing_results::Dimensioned;
 use grazing_results::{Stability, brief, span, with_unit};
 use grazing_unfold::Diagram;
+use grazing_unfold::grazing::along::{along_curve, forgotten};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
+use grazing_unfold::nothing::place;
 use grazing_unfold::sequences::Sequence;
 
 use super::analysis::Analysis;
@@ -198,7 +197,7 @@ fn several_impacts(layout: Layout, unfolded: &Analysis) -> String {
             (count > 0).then(|| format!("{count} {}", kind.name()))
         });
         let curves = between.then(|| curves.collect::<Vec<_>>().join(", "));
-        let walls = between.then(|| walls(found, *wall).to_string());
+        let walls = between.then(|| found.walls(*wall).to_string());
         let all = numbers.into_iter().chain([percent(true), percent(false)]);
         walls.into_iter().chain(all).chain(curves).collect()
     };
@@ -217,11 +216,10 @@ fn several_impacts(layout: Layout, unfolded: &Analysis) -> String {
 fn own_curves(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
     let (units, diagram) = (&unfolded.axes.units, &unfolded.diagram);
     let names = [description.primary().name(), description.secondary().name()];
-    let levels = diagram.asked.iter().enumerate();
-    let each =
-        levels.flat_map(|(number, level)| level.loops.iter().map(move |&loops| (number, level, loops)));
-    let entries = each.map(|(number, level, loops)| {
-        let own = diagram.levels.curves.iter().filter(|found| found.level == number && found.loops == loops);
+    let requested = diagram.requested.iter().enumerate();
+    let each = requested.flat_map(|(number, own)| own.loops.iter().map(move |&loops| (number, own, loops)));
+    let entries = each.map(|(number, request, loops)| {
+        let own = diagram.own.curves.iter().filter(|found| (found.request, found.loops) == (number, loops));
         let points = own.clone().flat_map(|found| &found.curve.points).map(|point| &point.solution);
         let extent = |shown: &dyn Fn(&PeriodicSolution) -> bool| {
             let places = points.clone().filter(|solution| shown(solution));
@@ -238,13 +236,13 @@ fn own_curves(layout: Layout, description: &Description, unfolded: &Analysis) ->
             Some(extent) => format!("{extent}; {stable}"),
         };
         (
-            format!("  {}, p = {loops}  ", level.name),
-            format!("{}: {content}", level.property.with_dimensions(units)),
+            format!("  {}, p = {loops}  ", request.name),
+            format!("{}: {content}", request.property.with_dimensions(units)),
         )
     });
     let entries: Vec<_> = entries.collect();
-    let lost = diagram.levels.lost.iter().map(|lost| {
-        let name = &diagram.asked[lost.level].name;
+    let lost = diagram.own.lost.iter().map(|lost| {
+        let name = &diagram.requested[lost.request].name;
         let at = place(description, units.parameters(lost.near));
         (
             format!("  {name}, p = {}  ", lost.loops),
@@ -260,10 +258,10 @@ mod widths;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grazing_analysis::unfolded::Unfolded;
     use grazing_model::smooth::Stop;
     use grazing_unfold::progress::Silent;
     use grazing_unfold::regions::{Doubt, Region};
+    use grazing_unfold::unfolded::Unfolded;
 
     #[test]
     fn undecided_regions_are_listed_with_their_place_and_their_reason() {

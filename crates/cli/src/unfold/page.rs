@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use grazing_analysis::plane::counts;
 use grazing_input::Description;
 use grazing_report::{FileDigest, Manifest, OscillatorEntry, Report};
 use grazing_unfold::Diagram;
+use grazing_unfold::plane::counts;
 use grazing_unfold::regions::Region;
 
 use super::analysis::Analysis;

@@ -1,9 +1,9 @@
 //! What is missing in a diagram, and why, with the parameters' own names.
 
-use grazing_analysis::nothing::place;
 use grazing_input::Description;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
+use grazing_unfold::nothing::place;
 use grazing_unfold::regions::Region;
 use grazing_unfold::unfinished::Unfinished;
 

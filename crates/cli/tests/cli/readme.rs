@@ -8,7 +8,6 @@ use std::process::Command;
 use crate::program::{empty_folder, repository};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
-use grazing_analysis::unfolded::{AlongGrazing, AtResonances};
 use grazing_claims::checks::CHECKS;
 use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Ledger, Test};
@@ -16,6 +15,8 @@ use grazing_claims::published::{Published, Rounding};
 use grazing_cli::arguments::Arguments;
 use grazing_cli::outputs::{self, Output};
 use grazing_results::Tables;
+use grazing_results::grazing::AlongGrazing;
+use grazing_results::resonance::AtResonances;
 
 /// The most bytes of the README, which is to be one page.
 const README_BYTES: usize = 6_000;

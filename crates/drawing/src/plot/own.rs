@@ -81,14 +81,14 @@ mod tests {
     use crate::figures::diagram::draw_diagram;
     use crate::tests::inspection::paths;
     use crate::tests::sample_oscillator::sample;
-    use grazing_results::plane::OnCurve;
+    use grazing_results::plane::{OnCurve, Property};
 
     #[test]
     fn own_curves_are_drawn_where_solutions_are_admissible_and_have_their_names() {
         let mut sample = sample(2);
         let row = |k: u32| OwnPoint {
             name: "hard hits".to_owned(),
-            property: "impact velocity = 0.3".to_owned(),
+            property: Property::ImpactVelocity(0.3),
             loops: 1,
             at: OnCurve {
                 secondary: 0.4 + 0.005 * f64::from(k),

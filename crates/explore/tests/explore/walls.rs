@@ -4,12 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use grazing_analysis::unfolded::Unfolded;
 use grazing_explore::{Export, Figure, Seen, Wanted, answer};
 use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
 use grazing_results::plane::PlaneDiagram;
 use grazing_unfold::progress::Silent;
+use grazing_unfold::unfolded::Unfolded;
 use serde_json::{Value, json};
 
 use crate::model::model;

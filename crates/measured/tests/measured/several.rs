@@ -1,11 +1,11 @@
 //! Measured motion with several impacts beside the regions of such solutions.
 
-use grazing_analysis::plane::Axes;
 use grazing_continuation::curve::Window;
 use grazing_measured::{Observation, Seen, compare};
 use grazing_model::smooth::Stop;
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_results::measured::Agreement;
+use grazing_unfold::described::Axes;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::sequences::sequences;
 use grazing_unfold::{Diagram, Scope};

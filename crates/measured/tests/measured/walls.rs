@@ -1,7 +1,6 @@
 //! Synthetic experiments between two walls. Impacts are found by steps along the closed form of the linear oscillator, which
 //! shares nothing with the orbits and the integrated motion to which constants are fitted.
 
-use grazing_analysis::unfolded::from_each_wall;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_measured::read::Impact;
@@ -13,6 +12,7 @@ use grazing_model::motion::Motion;
 use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator, Units};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
 use grazing_results::measured::Identified;
+use grazing_unfold::described::from_each_wall;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::{Diagram, Scope};

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use grazing_analysis::unfolded::{AtResonance, CurveFinding, Curves};
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::ledger::Ledger;
 use grazing_claims::outcome::{Measure, Outcome};
@@ -20,6 +19,7 @@ use grazing_results::{Cell, Column, Frame, Names, Table, Title, Tone, UnitNames,
 use grazing_theorems::LinearOscillator;
 use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity, Theorem};
 use grazing_unfold::simulation::ReturnOutcome;
+use grazing_unfold::unfolded::{AtResonance, CurveFinding, Curves};
 use grazing_unfold::verdict::Coefficient;
 use grazing_unfold::verification::{Inconclusive, Sides, Simulated};
 

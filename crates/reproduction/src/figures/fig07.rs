@@ -10,7 +10,7 @@ use grazing_unfold::regions::{Doubt, Region};
 use super::fig02::Figure2;
 use super::fig08::Figure8;
 use crate::figure::prelude::*;
-use grazing_analysis::plane::{self, Axes};
+use grazing_unfold::plane;
 
 pub use diagram::Figure7;
 use diagram::not_followed;
@@ -33,8 +33,8 @@ impl StudyFigure for Figure7 {
             name: "Fig. 2".to_owned(),
             thin: false,
         });
-        let axes = Axes::of_the_paper();
-        Ok(plane::plane_diagram(&axes, (study.diagram()?, None), panels, section.into_iter().collect()))
+        let sections = section.into_iter().collect();
+        Ok(PlaneDiagram { magnified: panels, sections, ..plane::rows(study.diagram()?, None) })
     }
 
     fn draw(diagram: &PlaneDiagram, width: SheetWidth) -> Result<Sheet, DrawingError> {

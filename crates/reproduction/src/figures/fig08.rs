@@ -9,14 +9,14 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_drawing::{Heading, draw_magnifications};
 use grazing_results::Names;
 use grazing_results::plane::{Magnifications, MagnifiedPanel};
-use grazing_unfold::magnification::{magnify, window_about};
+use grazing_unfold::magnification::{self, magnify, window_about};
 use grazing_unfold::resonances::Resonance;
 use rayon::prelude::*;
 
 use super::fig07::diagram::not_followed;
 use crate::coefficients::closed_form_coefficients;
 use crate::figure::prelude::*;
-use grazing_analysis::plane::{self, Axes};
+use grazing_unfold::plane;
 
 use section::MOST_PANELS;
 pub use section::{Figure8, Near, Panel};
@@ -39,7 +39,7 @@ impl StudyFigure for Figure8 {
     /// The magnifications of Figure 7. A resonance that cannot be located, unfolded or measured is an
     /// error.
     fn compute(&self, study: &Study) -> Result<Magnifications, StudyError> {
-        let (diagram, (shown, _), axes) = (study.diagram()?, self.shown(study)?, Axes::of_the_paper());
+        let (diagram, (shown, _)) = (study.diagram()?, self.shown(study)?);
         let curves = |&Shown { resonance, point, window }: &Shown<'_>| {
             magnify(diagram, resonance, point, window).map_err(|reason| {
                 StudyError::Failed(not_followed(
@@ -50,9 +50,9 @@ impl StudyFigure for Figure8 {
         };
         let curves: Vec<_> = shown.par_iter().map(curves).collect::<Result<_, _>>()?;
         Ok(Magnifications {
-            curves: plane::magnified_curves(&curves),
-            points: plane::points(&axes, diagram),
-            regions: plane::regions(&axes, &diagram.regions),
+            curves: magnification::numbered(&curves),
+            points: plane::points(diagram),
+            regions: plane::regions(&diagram.regions),
             panels: self.panels(study)?,
         })
     }

@@ -3,7 +3,6 @@
 
 use std::sync::OnceLock;
 
-use grazing_analysis::unfolded::{CurveFinding, Unfolded};
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, FitError, Measurement};
 use grazing_model::ImpactOscillator;
@@ -18,6 +17,7 @@ use grazing_theorems::unfolding::StabilityCoefficients;
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::simulation::ReturnOutcome;
+use grazing_unfold::unfolded::{CurveFinding, Unfolded};
 use grazing_unfold::verdict::Coefficient;
 use grazing_unfold::verification::{Inconclusive, Sides, Simulated};
 

@@ -3,7 +3,6 @@
 use core::f64::consts::TAU;
 use std::sync::LazyLock;
 
-use grazing_analysis::unfolded::Unfolded;
 use grazing_input::Description;
 use grazing_model::motion::Motion;
 use grazing_model::smooth::Stop;
@@ -11,6 +10,7 @@ use grazing_model::{ImpactOscillator, OnWall};
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::{MotionReading, Ordinate, Reading, Sweep};
 use grazing_unfold::progress::Silent;
+use grazing_unfold::unfolded::Unfolded;
 
 /// The mass of the file below.
 const MASS: f64 = 2.0;

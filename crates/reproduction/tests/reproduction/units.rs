@@ -1,11 +1,11 @@
 //! Tests that an oscillator has the same tables in other units, except for the units of their columns.
 
-use grazing_analysis::unfolded::Unfolded;
 use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_results::branches::OneParameter;
 use grazing_results::{Cell, Table, Tables};
 use grazing_unfold::progress::Silent;
+use grazing_unfold::unfolded::Unfolded;
 
 /// A hardening spring with a reset law in which all coefficients vary; `length` and `time` are the units
 /// of the text. Two one-parameter diagrams, one in each direction, cross its resonances of p = 1 and 2.

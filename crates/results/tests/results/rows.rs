@@ -9,6 +9,7 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_model::smooth::Units;
 use grazing_results::branches::*;
 use grazing_results::family::*;
+use grazing_results::grazing::*;
 use grazing_results::measured::*;
 use grazing_results::place::*;
 use grazing_results::plane::*;
@@ -16,6 +17,7 @@ use grazing_results::readings::*;
 use grazing_results::resonance::*;
 use grazing_results::space::{Mark, MarkKind};
 use grazing_results::{Cell, Dimensioned, Row, Stability, VARIED};
+use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use proptest::array::uniform4;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -50,8 +52,10 @@ samples! {
     CurveSource = CurveSource::Quadratic,
     Degeneracy = Degeneracy::Meeting,
     FoundBy = FoundBy::Search,
+    Hypothesis = Hypothesis { quantity: Quantity::Detuning, value: 1.0, condition: Condition::Positive },
     MarkKind = MarkKind::Impact,
     PortraitKind = PortraitKind::Attractor,
+    Property = Property::ImpactVelocity(1.0),
     RegionKind = RegionKind::Mps,
     SeenKind = SeenKind::NonImpacting,
     Stability = Stability::Stable,
@@ -145,6 +149,19 @@ all_rows! {
     }
     Coefficients { s_plus, s_minus, c_sn, c_pd }
     Measured { c_sn_error, c_pd_error, c_sn_fit, c_pd_fit }
+    CoefficientRow {
+        loops, wall, n, secondary, primary, coefficients, measured, c_sn_fit_error, c_pd_fit_error,
+        sn_verdict, sn_reason, pd_verdict, pd_reason, quantities, sigma, pd_criticality, c_2gz,
+        c_2gz_fit, sn_as_simulated, sn_simulation_reason, pd_as_simulated, pd_simulation_reason,
+    }
+    CheckedHypothesis { loops, wall, n, secondary, primary, theorem, hypothesis }
+    GrazingRow {
+        arc, wall, secondary, primary, phase, frequency, a11, a12, a21, a22, b1, b2, tau, delta,
+        alpha, beta, gamma, phi, psi, stable, admissible,
+    }
+    GrazingLoopRow {
+        loops, arc, wall, secondary, primary, a12, kappa, a12_prime, kappa_prime, xi, s_plus, s_minus,
+    }
     Quantities { tau, delta, alpha, beta, gamma, xi, a12_prime, kappa_prime }
     Mark { kind, number, layer, x, y, z, across, up, depth }
 }

@@ -5,10 +5,12 @@ use core::f64::consts::{PI, TAU};
 use grazing_continuation::curve::{Curve, CurveEnd, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{PeriodicSolution, unknown};
+use grazing_input::OwnCurve;
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, OnWall};
+use grazing_results::plane::Property;
 use grazing_unfold::one_parameter::{Cut, Line};
-use grazing_unfold::own_curves::{Level, LevelCurve, Property};
+use grazing_unfold::own_curves::FoundCurve;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::simulation::{ReturnOutcome, Suspect};
 use grazing_unfold::{Diagram, Scope};
@@ -24,11 +26,12 @@ fn oscillator() -> AnyOscillator {
 }
 
 fn diagram(oscillator: &AnyOscillator, scope: &Scope, property: Property) -> Diagram {
-    let asked = vec![Level { name: String::new(), loops: scope.loops.clone(), property }];
-    let located = Diagram::located(oscillator, scope, &Silent).expect("nobody stops it").asking_for(asked);
+    let requested = vec![OwnCurve { name: String::new(), loops: scope.loops.clone(), property }];
+    let located =
+        Diagram::located(oscillator, scope, &Silent).expect("nobody stops it").requesting(requested);
     let followed = located.follow(&Silent, &|_, _| ());
     let diagram = located.with(followed, &Silent);
-    assert!(diagram.levels.lost.is_empty(), "{:?}", diagram.levels.lost);
+    assert!(diagram.own.lost.is_empty(), "{:?}", diagram.own.lost);
     diagram
 }
 
@@ -39,7 +42,7 @@ fn scope(loops: &[u32]) -> Scope {
 /// The solutions of curves, each with its oscillator.
 fn solutions<'a>(
     diagram: &'a Diagram,
-    curves: &'a [LevelCurve],
+    curves: &'a [FoundCurve],
 ) -> impl Iterator<Item = (AnyOscillator, PeriodicSolution)> + 'a {
     let points = curves.iter().flat_map(|found| &found.curve.points).map(|point| point.solution.clone());
     points.map(|solution| (diagram.equations(1).oscillator_at(&solution.unknowns), solution))
@@ -53,7 +56,7 @@ fn along_curves_of_an_impact_velocity_simulated_orbits_hit_the_wall_at_it() {
     for (oscillator, scope) in [(oscillator(), scope(&[1, 2])), (duffing, narrow)] {
         let diagram = diagram(&oscillator, &scope, Property::ImpactVelocity(0.1));
         let mut followed = 0;
-        for (oscillator, solution) in solutions(&diagram, &diagram.levels.curves) {
+        for (oscillator, solution) in solutions(&diagram, &diagram.own.curves) {
             assert_eq!(solution.impact_velocity(), 0.1);
             // Where the solution grazes simulation hits the wall.
             if solution.admissible() && solution.ceiling() < -1e-9 {
@@ -88,7 +91,7 @@ fn curves_of_an_impact_velocity_cross_a_line_where_branches_have_it() {
             let points = branch.curve.points.iter().map(|point| place(&point.solution));
             crossings(points.collect(), velocity)
         });
-        let own = diagram.levels.curves.iter().filter(|found| found.loops == loops);
+        let own = diagram.own.curves.iter().filter(|found| found.loops == loops);
         let on_curves = own.flat_map(|found| crossings(found.curve.parameters(), at));
         let sorted = |mut values: Vec<f64>| {
             values.sort_by(f64::total_cmp);
@@ -110,7 +113,7 @@ fn where_multipliers_are_complex_a_modulus_is_that_of_the_closed_form() {
     let modulus = 0.75;
     let diagram = diagram(&oscillator(), &scope(&[1, 2]), Property::Modulus(modulus));
     let mut seen = [0; 2];
-    for LevelCurve { loops, curve, .. } in &diagram.levels.curves {
+    for FoundCurve { loops, curve, .. } in &diagram.own.curves {
         let Condition::Product(product) = curve.condition else { continue };
         assert_eq!(product, modulus * modulus);
         let omega = 4.0 * PI * ZETA * f64::from(*loops) / libm::log(EPSILON * EPSILON / product);
@@ -132,7 +135,7 @@ fn along_curves_of_a_modulus_simulated_perturbations_decay_by_it() {
     let modulus = 0.9;
     let diagram = diagram(&oscillator(), &scope(&[1]), Property::Modulus(modulus));
     let mut pieces = [0, 0];
-    for LevelCurve { curve, .. } in &diagram.levels.curves {
+    for FoundCurve { curve, .. } in &diagram.own.curves {
         let middle = curve.points[curve.points.len() / 2].solution.clone();
         if !middle.admissible() || middle.impact_velocity() < 0.05 {
             continue;
@@ -155,7 +158,7 @@ fn along_curves_of_a_modulus_simulated_perturbations_decay_by_it() {
 #[test]
 fn pieces_of_a_modulus_meet_where_both_multipliers_are_equal() {
     let diagram = diagram(&oscillator(), &scope(&[1]), Property::Modulus(0.75));
-    let curves = diagram.levels.curves.iter();
+    let curves = diagram.own.curves.iter();
     let ends = curves.flat_map(|found| {
         let Curve { points, beginning, end, .. } = &found.curve;
         let ends = [(points.first(), beginning.as_ref()), (points.last(), Some(end))];
@@ -179,7 +182,7 @@ fn along_curves_of_a_distance_motion_is_that_far_from_the_wall_at_the_phase() {
     let (phase, distance) = (2.0, 0.4);
     let diagram = diagram(&oscillator(), &scope(&[1, 2]), Property::Distance { phase, distance });
     let mut seen = [0; 2];
-    for (oscillator, solution) in solutions(&diagram, &diagram.levels.curves) {
+    for (oscillator, solution) in solutions(&diagram, &diagram.own.curves) {
         let [velocity, impact] = [unknown::VELOCITY, unknown::PHASE].map(|k| solution.unknowns[k]);
         let recoil = oscillator.reset::<1>(OnWall::new(velocity, impact)).image();
         let motion = oscillator.motion(recoil.into());

@@ -1,14 +1,13 @@
 //! Gaps in the diagram: what is missing or unknown, with the reasons.
 
-use grazing_analysis::nothing::place;
-use grazing_analysis::sequences::walls;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_input::Description;
 use grazing_model::smooth::Units;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
-use grazing_unfold::own_curves::LevelCurve;
+use grazing_unfold::nothing::place;
+use grazing_unfold::own_curves::FoundCurve;
 
 use crate::layout::Layout;
 use crate::unfold::analysis::Analysis;
@@ -58,12 +57,12 @@ pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Ana
     let bifurcations = diagram.curves.iter().flat_map(|DiagramCurve { kind, loops, n, curve }| {
         lines(format!("{} of p = {loops}, n = {n}", kind.name()), curve)
     });
-    let own = diagram.levels.curves.iter().flat_map(|LevelCurve { level, loops, curve }| {
-        lines(format!("{} of p = {loops}", diagram.asked[*level].name), curve)
+    let own = diagram.own.curves.iter().flat_map(|FoundCurve { request, loops, curve }| {
+        lines(format!("{} of p = {loops}", diagram.requested[*request].name), curve)
     });
     let both = unfolded.sequences.solutions.iter().filter(|found| found.stops.len() > 1);
     let both = both.flat_map(|found| {
-        let walls = walls(found, diagram.wall);
+        let walls = found.walls(diagram.wall);
         let of = move |curve: &DiagramCurve| {
             format!("{} of walls {walls}, p = {}", curve.kind.name(), curve.loops)
         };
@@ -82,7 +81,7 @@ pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &An
     let own = unfolded.diagram.regions.iter().map(|region| (format!("p = {}", region.loops), region));
     let both = unfolded.sequences.solutions.iter().filter(|found| found.stops.len() > 1);
     let both = both.flat_map(|found| {
-        let name = format!("walls {}, p = {}", walls(found, unfolded.diagram.wall), found.periods);
+        let name = format!("walls {}, p = {}", found.walls(unfolded.diagram.wall), found.periods);
         found.regions.iter().map(move |region| (name.clone(), region))
     });
     for (name, region) in own.chain(both) {
@@ -149,7 +148,7 @@ mod tests {
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::grazing::GrazingCurve;
-    use grazing_unfold::own_curves::Levels;
+    use grazing_unfold::own_curves::Found;
     use grazing_unfold::resonances::Unlocated;
     use grazing_unfold::unfinished::Unfinished;
 
@@ -172,8 +171,8 @@ mod tests {
             curves: Vec::new(),
             codimension_two: Vec::new(),
             regions: Vec::new(),
-            asked: Vec::new(),
-            levels: Levels::default(),
+            requested: Vec::new(),
+            own: Found::default(),
             unlocated: vec![Unlocated {
                 loops: 1,
                 near: [0.25, 0.5],

@@ -1,11 +1,11 @@
 //! Lines about resonances, the coefficients of the curves that leave them, and where theorem and curve contradict each other.
 
-use grazing_analysis::nothing::place;
-use grazing_analysis::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::Description;
 use grazing_results::{brief, with_unit};
+use grazing_unfold::nothing::place;
 use grazing_unfold::resonances::STAGE;
+use grazing_unfold::unfolded::{AtResonance, CurveFinding, curves};
 use grazing_unfold::verdict::Verdict;
 use grazing_unfold::verification::Simulated;
 
@@ -143,13 +143,13 @@ pub(super) fn failing_theorems(layout: Layout, description: &Description, unfold
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grazing_analysis::unfolded::Curves;
     use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::curve::Window;
     use grazing_continuation::fit::{Estimate, Measurement};
     use grazing_theorems::LinearOscillator;
     use grazing_theorems::hypothesis::Theorem;
     use grazing_unfold::simulation::ReturnOutcome;
+    use grazing_unfold::unfolded::Curves;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
     use grazing_unfold::verification::{Inconclusive, Sides};
 

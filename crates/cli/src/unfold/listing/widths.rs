@@ -1,9 +1,9 @@
 //! Listings on terminals of different widths.
 
-use grazing_analysis::unfolded::Unfolded;
 use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_unfold::progress::Silent;
+use grazing_unfold::unfolded::Unfolded;
 
 use super::{oscillator, results};
 use crate::layout::Layout;

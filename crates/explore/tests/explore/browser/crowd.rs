@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::thread::{self, sleep};
 use std::time::Duration;
 
-use grazing_analysis::plane::{self, Axes};
 use grazing_continuation::curve::Window;
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_results::plane::{PlanePoint, RegionVertex};
+use grazing_unfold::plane;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::{Diagram, Scope};
 use serde_json::Value;
@@ -117,7 +117,7 @@ pub(crate) fn assert_right(pages: &[Page], window: Window) -> usize {
         for (set, sent) in watched["sums"].as_object().unwrap() {
             let own = sums.entry(set.clone()).or_insert_with(|| {
                 let diagram = computed(window, &set.parse().unwrap(), true);
-                sum(&plane::curves(&Axes::of_the_paper(), &diagram))
+                sum(&plane::curves(&diagram))
             });
             assert_eq!(sent.as_u64(), Some(u64::from(*own)), "page {number}: other curves at {set}");
         }
@@ -160,11 +160,11 @@ fn bits_of<'r, T: 'r>(chunks: impl Iterator<Item = &'r [T]>, point: fn(&T) -> [f
 }
 
 fn assert_picture(window: Window, picture: &Value) {
-    let (axes, diagram) = (Axes::of_the_paper(), computed(window, &picture["set"], false));
-    let curves = plane::curves(&axes, &diagram);
+    let diagram = computed(window, &picture["set"], false);
+    let curves = plane::curves(&diagram);
     let mut curves =
         bits_of(curves.chunk_by(|a, b| a.at.arc == b.at.arc), |row| [row.at.primary, row.at.secondary]);
-    let regions = plane::regions(&axes, &diagram.regions);
+    let regions = plane::regions(&diagram.regions);
     let together = |a: &RegionVertex, b: &RegionVertex| (a.region, a.at.ring) == (b.region, b.at.ring);
     let rings = bits_of(regions.chunk_by(together), |row| [row.at.primary, row.at.secondary]);
     let mut found = bits(&picture["curves"]);

@@ -16,12 +16,13 @@ use std::thread;
 use std::time::Duration;
 
 use self::running::{LIMITS, Running, events};
-use grazing_analysis::plane;
-use grazing_analysis::unfolded;
 use grazing_explore::Limits;
 use grazing_input::Description;
 use grazing_model::smooth::Stop;
+use grazing_results::Dimensioned;
 use grazing_unfold::Diagram;
+use grazing_unfold::described::Prepared;
+use grazing_unfold::plane;
 use grazing_unfold::progress::Silent;
 use serde_json::{Value, json};
 
@@ -246,11 +247,10 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     let text = grazing_input::Text::new(text, &settings);
     let description =
         Description::parse_with(&text, "test", &Stop::default()).unwrap().with_loops(&[3]).unwrap();
-    let axes = unfolded::axes(&description);
-    let (oscillator, scope) = unfolded::prepared(&description, &axes.units, &Stop::default());
+    let Prepared { oscillator, scope, axes, .. } = Prepared::of(&description, &Stop::default());
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
-    let wanted: Vec<[f64; 2]> =
-        plane::curves(&axes, &diagram).iter().map(|row| [row.at.primary, row.at.secondary]).collect();
+    let rows = plane::curves(&diagram).with_dimensions(&axes.units);
+    let wanted: Vec<[f64; 2]> = rows.iter().map(|row| [row.at.primary, row.at.secondary]).collect();
     // First the curves as they are found, then all of them, then approximations to them.
     let sent = events(&stream, "curves");
     let all = &sent[sent.len() - 2];
@@ -258,7 +258,7 @@ fn the_diagram_has_the_numbers_that_unfold_writes() {
     let found: Vec<[f64; 2]> =
         curves.map(|point| [0, 1].map(|index| point[index].as_f64().unwrap())).collect();
     assert!(found == wanted, "the points differ");
-    let vertices = plane::regions(&axes, &diagram.regions).len();
+    let vertices = plane::regions(&diagram.regions).len();
     let regions = &events(&stream, "regions")[0];
     let rings = regions.as_array().unwrap().iter().flat_map(|region| region["rings"].as_array().unwrap());
     assert_eq!(rings.map(|ring| ring.as_array().unwrap().len()).sum::<usize>(), vertices);

@@ -3,18 +3,19 @@
 
 use core::f64::consts::{PI, TAU};
 
-use grazing_analysis::one_parameter::SAMPLING;
-use grazing_analysis::unfolded::{Prepared, Unfolded, axes};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::Description;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::smooth::Stop;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_results::plane::PlanePoint;
+use grazing_unfold::described::Prepared;
 use grazing_unfold::long_time::{Horizon, LongOrbit, MotionKind};
+use grazing_unfold::one_parameter::requested::SAMPLING;
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
 use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Silent;
+use grazing_unfold::unfolded::Unfolded;
 
 macro_rules! example {
     ($name:literal) => {
@@ -122,7 +123,7 @@ fn assert_mirrored(of: &Description, constants: [f64; 3], at: f64, forced: f64) 
     let [trace, _] = known.half(fork);
     assert!((1.0 + trace + determinant).abs() < 1e-12, "{trace} {determinant}");
 
-    let prepared = Prepared::new(of, axes(of), &Stop::default());
+    let prepared = Prepared::of(of, &Stop::default());
     let units = prepared.axes.units;
     let line = Line {
         diagram: 1,
@@ -189,7 +190,7 @@ fn an_impact_damper_folds_and_loses_its_symmetry_where_the_closed_form_does() {
 fn a_gear_lifts_off_where_inertia_exceeds_the_drag_and_rattles_on_one_flank_from_the_saddle_node_on() {
     let of = example!("gear-backlash.toml");
     let [c, drag, r] = ["c", "T", "r"].map(|name| constant(&of, name));
-    let prepared = Prepared::new(&of, axes(&of), &Stop::default());
+    let prepared = Prepared::of(&of, &Stop::default());
     for omega in [0.9, 1.2, 1.7] {
         let onset = drag / (omega * libm::hypot(omega, c));
         for (share, rests) in [(0.999, true), (1.001, false)] {
@@ -243,7 +244,7 @@ fn a_ball_on_a_shaking_table_bounces_once_a_period_between_the_known_curves() {
         }
     }
     // Beyond the period doubling there is one attractor, whatever it begins with.
-    let prepared = Prepared::new(&of, axes(&of), &Stop::default());
+    let prepared = Prepared::of(&of, &Stop::default());
     let here = prepared.oscillator.with_parameters(prepared.without_dimensions([0.9, 25.0]));
     let starts = Starts { states: 12, ..Starts::default() };
     let place = Place::compute(&here, &prepared.scope, &starts, &Silent).expect("nobody stops it");

@@ -1,6 +1,6 @@
 //! Rows of regions.
 
-use grazing_analysis::plane::{Axes, regions};
+use grazing_unfold::plane::regions;
 use grazing_unfold::regions::{Doubt, Region};
 
 #[test]
@@ -8,7 +8,7 @@ fn holes_of_a_region_have_rings_of_their_own_and_a_doubt_is_told_at_each_vertex(
     let ring = |size: f64| vec![[0.5, 0.5], [0.5 + size, 0.5], [0.5, 0.5 + size]];
     let decided = Region { loops: 2, n: 1, rings: vec![ring(0.4), ring(0.2), ring(0.1)], doubt: None };
     let undecided = Region { rings: vec![ring(0.3)], doubt: Some(Doubt::Unseen), ..decided.clone() };
-    let rows = regions(&Axes::of_the_paper(), &[decided, undecided]);
+    let rows = regions(&[decided, undecided]);
     let told: Vec<(u32, u32, &str)> =
         rows.iter().step_by(3).map(|row| (row.region, row.at.ring, row.at.reason.as_str())).collect();
     let doubt = Doubt::Unseen.to_string();

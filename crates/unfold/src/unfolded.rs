@@ -5,33 +5,27 @@ mod resonance;
 mod tables;
 
 use grazing_continuation::fit::FitError;
-use grazing_input::Description;
-use grazing_model::smooth::Units;
+use grazing_input::{Description, OwnCurve};
+use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Purpose, Stop};
-use grazing_model::{AnyOscillator, ImpactOscillator};
-use grazing_results::branches::{OneParameter, Readings};
-use grazing_results::family::Family;
-use grazing_results::measured::{Comparison, Identified};
+use grazing_results::Dimensioned;
+use grazing_results::branches::OneParameter;
+use grazing_results::grazing::{AlongGrazing, GrazingLoopRow};
 use grazing_results::plane::{
-    Magnifications, MagnifiedPanel, OwnCurves, PlaneDiagram, Section, SequenceDiagram, StraightenedCurves,
+    Magnifications, MagnifiedPanel, PlaneDiagram, Section, SequenceDiagram, StraightenedCurves,
 };
-use grazing_results::{Dimensioned, Names, Tables, UnitNames, tables};
-use grazing_unfold::own_curves::Level;
-use grazing_unfold::progress::Progress;
-use grazing_unfold::sequences::{REGIONS as SEQUENCES, Sequence, Sequences, of_diagram};
-use grazing_unfold::unfinished::Unfinished;
-use grazing_unfold::{Diagram, Scope, UnfoldError};
-use rayon::prelude::*;
+use grazing_results::resonance::AtResonances;
 
-pub use crate::described::{AtWall, Prepared, from_each_wall, levels, prepared};
-use crate::one_parameter;
-use crate::plane::{self, Axes, own_header};
-use crate::sequences;
+use crate::described::{Axes, Prepared};
+use crate::one_parameter::requested;
+use crate::progress::Progress;
+use crate::sequences::{REGIONS as SEQUENCES, Sequence, Sequences, of_diagram};
+use crate::unfinished::Unfinished;
+use crate::{Diagram, Scope, UnfoldError, magnification, parallel, plane, straightened};
 pub use finished::{Draft, Keep};
 use resonance::curves_from;
 pub use resonance::{AtResonance, CurveFinding, Curves, curves, straightened_at};
 pub(crate) use tables::measured;
-pub use tables::{CheckedHypothesis, CoefficientRow, GrazingLoopRow, GrazingRow};
 
 /// The analysis of an oscillator: its diagram and, at every resonance where a theorem holds,
 /// coefficients, simulation and a magnification.
@@ -57,32 +51,6 @@ pub struct Unfolded {
     along: Vec<GrazingLoopRow>,
 }
 
-/// The names of an oscillator's parameters, and its own units.
-pub fn axes(description: &Description) -> Axes {
-    let tables = [
-        AlongGrazing::TABLES,
-        PlaneDiagram::TABLES,
-        OwnCurves::TABLES,
-        SequenceDiagram::TABLES,
-        AtResonances::TABLES,
-        Magnifications::TABLES,
-        StraightenedCurves::TABLES,
-        OneParameter::TABLES,
-        Readings::TABLES,
-        Family::TABLES,
-        Comparison::TABLES,
-        Identified::TABLES,
-    ];
-    let parameters = [description.primary(), description.secondary()];
-    let [primary, secondary] = parameters.map(|axis| own_header(axis.name(), tables.into_iter().flatten()));
-    let owned = |unit: Option<&str>| unit.map(str::to_owned);
-    let [length, time, mass] = description.unit_names().map(owned);
-    let [of_primary, of_secondary] = parameters.map(|axis| owned(axis.unit()));
-    let units = UnitNames { length, time, mass, primary: of_primary, secondary: of_secondary };
-    let names = Names::new(&primary, &secondary).with_units(units).between_walls(description.has_two_walls());
-    Axes { names, units: description.units() }
-}
-
 impl Unfolded {
     /// Analyses an oscillator from a text file; `stop` cancels the analysis, and `keep` receives what
     /// is known so far, now and then.
@@ -95,7 +63,7 @@ impl Unfolded {
         stop: &Stop,
         keep: Keep<'_>,
     ) -> Result<Self, UnfoldError> {
-        Self::prepared(description, Prepared::new(description, axes(description), stop), progress, stop, keep)
+        Self::prepared(description, Prepared::of(description, stop), progress, stop, keep)
     }
 
     /// Analyses a prepared oscillator, with the one-parameter diagrams that its file requests.
@@ -138,7 +106,7 @@ impl Unfolded {
         if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
             // Diagrams are seen from the first wall.
             let curves = if diagram.wall < 2 { diagram.curves.as_slice() } else { &[] };
-            let (found, unfinished) = one_parameter::diagrams(description, curves, stop, progress);
+            let (found, unfinished) = requested::diagrams(description, curves, stop, progress);
             *diagrams = found;
             diagram.unfinished.extend(unfinished);
         }
@@ -169,12 +137,12 @@ impl Unfolded {
     /// There is no grazing in the ranges.
     pub fn compute(
         oscillator: &AnyOscillator,
-        (scope, asked): (&Scope, Vec<Level>),
+        (scope, requested): (&Scope, Vec<OwnCurve>),
         axes: Axes,
         progress: &dyn Progress,
         keep: Keep<'_>,
     ) -> Result<Self, UnfoldError> {
-        let located = Diagram::located(oscillator, scope, progress)?.asking_for(asked);
+        let located = Diagram::located(oscillator, scope, progress)?.requesting(requested);
         Self::of_located(located, axes, progress, keep).found()
     }
 
@@ -186,9 +154,9 @@ impl Unfolded {
         progress.begin(what, diagram.unfolding().count() as u64);
         // Each resonance is computed by itself; the results are in the order of the list, independent of
         // the threads.
-        let resonances = diagram.resonances.par_iter().map(|resonance| {
-            let found = AtResonance::new(resonance, diagram.wall, &units);
-            let Ok(point) = &resonance.theorem else { return (found, None) };
+        let resonances = parallel::map(&diagram.resonances, |resonance| {
+            let found = AtResonance::new(resonance, diagram.wall);
+            let Ok(point) = &resonance.theorem else { return (found.with_dimensions(&units), None) };
             let measured = || curves_from(&diagram, resonance, point, &units);
             let mut curves = Purpose::Coefficients.during(measured);
             let stopped = progress.stopped();
@@ -202,15 +170,14 @@ impl Unfolded {
             }
             let found = AtResonance { curves: Some(curves), ..found };
             progress.step(what);
-            (found, stopped.then(|| Unfinished::at(what, resonance)))
+            (found.with_dimensions(&units), stopped.then(|| Unfinished::at(what, resonance)))
         });
-        let resonances: Vec<_> = resonances.collect();
         progress.end(what);
         let (resonances, unfinished): (Vec<_>, Vec<_>) = resonances.into_iter().unzip();
         diagram.unfinished.extend(unfinished.into_iter().flatten());
-        let along = along(&diagram, &units, progress);
+        let along = tables::along(&diagram, progress).with_dimensions(&units);
         if progress.stopped() {
-            diagram.unfinished.push(Unfinished::stage(ALONG));
+            diagram.unfinished.push(Unfinished::stage(tables::ALONG));
         }
         let (diagrams, sequences, other) = Default::default();
         Self { axes, diagram, resonances, diagrams, other, sequences, along }
@@ -256,23 +223,25 @@ impl Unfolded {
             name: format!("diagram {}", diagram.diagram),
             thin: true,
         });
-        let seen = (&self.diagram, self.other.as_ref().map(|other| &other.diagram));
+        let (units, other) = (&self.axes.units, self.other.as_ref().map(|other| &other.diagram));
         PlaneDiagram {
+            magnified: panels.collect(),
+            sections: sections.collect(),
             several: self.sequences().regions,
-            at_both_walls: sequences::at_both_walls(&self.sequences, &self.axes.units),
-            ..plane::plane_diagram(&self.axes, seen, panels.collect(), sections.collect())
+            at_both_walls: self.sequences.at_both_walls().with_dimensions(units),
+            ..plane::rows(&self.diagram, other).with_dimensions(units)
         }
     }
 
     /// The rows of solutions with several impacts.
     pub fn sequences(&self) -> SequenceDiagram {
-        sequences::rows(&self.sequences, &self.axes.units, self.diagram.wall)
+        self.sequences.rows(self.diagram.wall).with_dimensions(&self.axes.units)
     }
 
     /// The magnifications for the panels of the diagram.
     pub fn magnifications(&self, diagram: &PlaneDiagram) -> Magnifications {
         Magnifications {
-            curves: plane::magnified_curves(self.unfolding().map(|(_, curves)| &curves.magnified)),
+            curves: magnification::numbered(self.unfolding().map(|(_, curves)| &curves.magnified)),
             points: diagram.points.clone(),
             regions: diagram.regions.clone(),
             panels: diagram.magnified.clone(),
@@ -281,7 +250,7 @@ impl Unfolded {
 
     /// The curves in straightened coordinates; panels have the numbers of the magnifications.
     pub fn straightened(&self) -> StraightenedCurves {
-        plane::straightened((1..).zip(self.unfolding()).map(|(panel, (at, curves))| {
+        straightened::panels((1..).zip(self.unfolding()).map(|(panel, (at, curves))| {
             let panel = panel_of(panel, (at, self.named_wall(at)), curves);
             (panel, curves.straightened.as_slice())
         }))
@@ -308,52 +277,9 @@ impl Unfolded {
     }
 }
 
-tables! {
-    /// Quantities along the grazing curve.
-    AlongGrazing {
-        grazing: GrazingRow = "grazing",
-            "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
-        grazing_loops: GrazingLoopRow = "grazing_loops", "a point of the grazing curve and a p, with the quantities that depend on p",
-    }
-
-    /// Results at resonances.
-    AtResonances {
-        coefficients: CoefficientRow = "coefficients",
-            "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
-        hypotheses: CheckedHypothesis = "hypotheses",
-            "a hypothesis of the theorem at a resonance, whether or not it holds",
-    }
-}
-
 /// The panel that magnifies a resonance, at one of two walls that are unlike.
 fn panel_of(panel: u32, (at, wall): (&AtResonance, u32), curves: &Curves) -> MagnifiedPanel {
     let coefficients = curves.findings.map(|known| known.coefficient.theorem.value);
     let (loops, n) = (at.loops, Some(at.n));
     MagnifiedPanel { panel, frame: curves.window.into(), loops, wall, n, coefficients }
-}
-
-/// The stage in which quantities along the grazing curves are computed.
-const ALONG: &str = "quantities along the grazing curve";
-
-/// The quantities that depend on p at each point of the grazing curves; empty if the computation is
-/// cancelled.
-fn along(diagram: &Diagram, units: &Units, progress: &dyn Progress) -> Vec<GrazingLoopRow> {
-    let states = (0..)
-        .zip(&diagram.grazing)
-        .flat_map(|(arc, curve)| curve.states.iter().map(move |state| (arc, state)));
-    let states: Vec<_> = states.collect();
-    progress.begin(ALONG, diagram.scope.loops.len() as u64);
-    let mut all = Vec::new();
-    for &loops in &diagram.scope.loops {
-        // Where an iterate of P_global has no maximum near Π, these quantities do not exist.
-        let found = states.par_iter().filter_map(|(arc, state)| {
-            let parameters = units.parameters(state.orbit.oscillator().parameters());
-            let point = state.orbit.resonant_point(loops).ok()?.with_dimensions(units);
-            Some(GrazingLoopRow { arc: *arc, wall: diagram.wall, parameters, point })
-        });
-        all.extend(found.collect::<Vec<_>>());
-        progress.step(ALONG);
-    }
-    progress.end(ALONG);
-    if progress.stopped() { Vec::new() } else { all }
 }

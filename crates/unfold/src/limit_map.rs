@@ -1,11 +1,11 @@
 //! Beyond the paper: the limit map at resonances, and solutions computed near them.
 
+use crate::resonances::Resonance;
 use grazing_continuation::doubled::DoubledEquations;
 use grazing_continuation::mps::unknown;
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_results::{row, tables};
 use grazing_theorems::ResonantPoint;
-use grazing_unfold::resonances::Resonance;
 
 tables! {
     /// The limit map at resonances, by p and increasing frequency.

@@ -2,14 +2,14 @@
 
 use std::sync::Mutex;
 
-use grazing_analysis::plane::Axes;
-use grazing_analysis::unfolded::{Draft, Unfolded};
 use grazing_continuation::curve::Window;
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_results::Table;
 use grazing_results::plane::PlaneDiagram;
 use grazing_unfold::Scope;
+use grazing_unfold::described::Axes;
 use grazing_unfold::progress::Silent;
+use grazing_unfold::unfolded::{Draft, Unfolded};
 
 #[test]
 fn every_finished_resonance_and_then_the_regions_of_every_p_are_handed_on_until_nothing_is_missing() {

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-use grazing_analysis::place::simulated;
-use grazing_analysis::unfolded::{Prepared, axes};
 use grazing_input::Description;
-use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Stop;
+use grazing_model::smooth::{Stop, Stoppable};
+use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator};
+use grazing_unfold::described::{Axes, Prepared};
 use grazing_unfold::long_time::MotionKind;
+use grazing_unfold::place::simulated;
 use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Progress;
 
@@ -16,8 +16,12 @@ use grazing_unfold::progress::Progress;
 fn simulated_motion_in_closed_form_is_that_which_is_integrated() {
     let text = include_str!("../../../../examples/paper.toml");
     let (description, stop) = (Description::parse(text, "paper.toml").expect("it is right"), Stop::default());
-    let integrated = Prepared::new(&description, axes(&description), &stop);
-    let closed = Prepared::of_the_paper(&description, &stop).expect("its constants are right");
+    let integrated = Prepared::of(&description, &stop);
+    let oscillator = LinearOscillator::new(0.02, 0.9, 0.5, 0.8).expect("it is in the domain");
+    let closed = Prepared {
+        oscillator: AnyOscillator::new(Stoppable::new(oscillator, stop.clone())),
+        ..Prepared::new(&description, Axes::of_the_paper(), &stop)
+    };
     let (place, start) = ([0.8, 0.8], [-1.0, 0.1, 0.3]);
     let [a, b] = [&closed, &integrated].map(|of| simulated(of, place, start, 20.0).expect("it moves"));
     assert!(a.impacts.len() > 10 && a.impacts.len() == b.impacts.len() && a.end == b.end);
@@ -36,7 +40,7 @@ fn simulated_motion_in_closed_form_is_that_which_is_integrated() {
     // Nothing begins beyond the other of two walls, 2 away from the first.
     let text = include_str!("../../../../examples/two-stops.toml");
     let between = Description::parse(text, "two-stops.toml").expect("it is right");
-    let between = Prepared::new(&between, axes(&between), &Stop::default());
+    let between = Prepared::of(&between, &Stop::default());
     assert!(simulated(&between, [0.7, 0.7], [-1.99, 0.0, 0.0], 1.0).is_ok());
     assert!(
         simulated(&between, [0.7, 0.7], [-2.01, 0.0, 0.0], 1.0).is_err_and(|why| why.contains("other wall"))
@@ -78,7 +82,7 @@ fn basins_of_irregular_motion_cost_some_periods_a_state_and_every_stage_has_a_na
     // The number of integration steps for a lattice.
     let cost = |at: [f64; 2], lattice: [u32; 2]| {
         let (stop, stages) = (Stop::default(), Stages::default());
-        let of = Prepared::new(&description, axes(&description), &stop);
+        let of = Prepared::of(&description, &stop);
         let here = of.oscillator.with_parameters(of.without_dimensions(at));
         let starts = Starts { states: 2, lattice, ..Starts::default() };
         let before = stop.steps();
@@ -95,7 +99,7 @@ fn basins_of_irregular_motion_cost_some_periods_a_state_and_every_stage_has_a_na
         stop.steps() - before
     };
     let stop = Stop::default();
-    let of = Prepared::new(&description, axes(&description), &stop);
+    let of = Prepared::of(&description, &stop);
     for at in [[1.2, 15.2], [1.3, 15.0]] {
         let before = stop.steps();
         simulated(&of, at, [-0.001, 0.0, 0.0], 200.0).expect("it moves");

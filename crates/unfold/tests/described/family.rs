@@ -1,11 +1,11 @@
 //! Families of the paper's oscillator, against closed forms.
 
-use grazing_analysis::family::{Plan, Varied, assemble, records};
 use grazing_input::Description;
 use grazing_model::smooth::Stop;
 use grazing_results::VARIED;
 use grazing_results::resonance::Coefficients;
 use grazing_theorems::LinearOscillator;
+use grazing_unfold::family::{Plan, Varied, assemble, records};
 use grazing_unfold::progress::Silent;
 
 /// Coefficients from derivatives of the numerical map: as accurate as those of the second order.

@@ -1,5 +1,11 @@
 //! A resonance with the results for the curves that leave it.
 
+use crate::Diagram;
+use crate::magnification::{magnify, window_about};
+use crate::resonances::Resonance;
+use crate::straightened::{self, straighten};
+use crate::verdict::{Coefficient, coefficients_on, near};
+use crate::verification::{Simulated, simulate};
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{FitError, Straightened};
@@ -7,20 +13,14 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::plane::{MagnifiedPanel, MagnifiedPoint, StraightenedCurves, StraightenedPoint};
-use grazing_results::{Dimensioned, brief};
+use grazing_results::{Dimensioned, brief, dimensioned};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::{Hypothesis, Theorem};
-use grazing_unfold::Diagram;
-use grazing_unfold::magnification::{magnify, window_about};
-use grazing_unfold::resonances::Resonance;
-use grazing_unfold::straightened::straighten;
-use grazing_unfold::verdict::{Coefficient, coefficients_on, near};
-use grazing_unfold::verification::{Simulated, simulate};
 
+use crate::described::Axes;
 use crate::limit_map::measured_doubled_grazing;
-use crate::plane::{self, Axes};
 
-/// A resonant grazing bifurcation with its results, in the oscillator's own units.
+/// A resonant grazing bifurcation with its results.
 #[derive(Clone, Debug)]
 pub struct AtResonance {
     /// Number of loops p.
@@ -45,8 +45,8 @@ pub struct AtResonance {
 const ALIKE: f64 = 1e-6;
 
 impl AtResonance {
-    /// A resonance in the oscillator's own units, as a wall sees it, without results for its curves.
-    pub fn new(resonance: &Resonance, wall: u32, units: &Units) -> Self {
+    /// A resonance as a wall sees it, dimensionless, without results for its curves.
+    pub fn new(resonance: &Resonance, wall: u32) -> Self {
         let Resonance { loops, n, located, theorem } = resonance;
         let (theorem, hypotheses) = match theorem {
             Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
@@ -56,10 +56,10 @@ impl AtResonance {
             loops: *loops,
             wall,
             n: *n,
-            parameters: units.parameters(located.orbit().oscillator().parameters()),
-            point: located.resonant_point().with_dimensions(units),
+            parameters: located.orbit().oscillator().parameters(),
+            point: *located.resonant_point(),
             theorem,
-            hypotheses: hypotheses.iter().map(|hypothesis| hypothesis.with_dimensions(units)).collect(),
+            hypotheses: hypotheses.to_vec(),
             curves: None,
         }
     }
@@ -128,7 +128,8 @@ pub fn curves(
     unfolded.flat_map(|(at, curves)| curves.findings.as_ref().named().map(|(kind, known)| (at, kind, known)))
 }
 
-/// Computes the results for the curves that leave a resonance.
+/// Computes the results for the curves that leave a resonance, dimensionless; straightened curves at round numbers in
+/// these units.
 pub(super) fn curves_from(
     diagram: &Diagram,
     resonance: &Resonance,
@@ -138,43 +139,68 @@ pub(super) fn curves_from(
     let near = near(point);
     let coefficients = coefficients_on(point, &near);
     let finding = |(kind, coefficient): (Bifurcation, &Coefficient)| CurveFinding {
-        coefficient: coefficient.with_dimensions(units),
-        simulated: simulate(point, kind, &coefficients).with_dimensions(units),
+        coefficient: *coefficient,
+        simulated: simulate(point, kind, &coefficients),
     };
     let window = window_about(diagram, resonance, point);
-    let magnified = magnify(diagram, resonance, point, window).unwrap_or_default().with_dimensions(units);
-    let findings = Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding);
-    let straightened = straightened(diagram, (resonance, point), &near, units);
-    let doubled_grazing = measured_doubled_grazing(&resonance.located).unwrap_or(f64::NAN)
-        * (units.primary / units.secondary / units.secondary);
-    Curves { findings, doubled_grazing, window: window.with_dimensions(units), magnified, straightened }
+    Curves {
+        findings: Pair::BIFURCATIONS.zip(coefficients.as_ref()).map(finding),
+        doubled_grazing: measured_doubled_grazing(&resonance.located).unwrap_or(f64::NAN),
+        window,
+        magnified: magnify(diagram, resonance, point, window).unwrap_or_default(),
+        straightened: straightened(diagram, (resonance, point), &near, units),
+    }
 }
 
-/// The curves that leave a resonance in straightened coordinates, in the oscillator's own units.
+/// The curves that leave a resonance in straightened coordinates, at round numbers in these units.
 fn straightened(
     diagram: &Diagram,
     at: (&Resonance, &ResonantGrazingPoint),
     near: &Pair<Result<Straightened, FitError>>,
     units: &Units,
 ) -> Vec<StraightenedPoint> {
-    let etas = plane::straightened_etas(diagram.scope.window.with_dimensions(units).secondary);
+    let etas = straightened::etas(diagram.scope.window.with_dimensions(units).secondary);
     let etas: Vec<f64> = etas.iter().map(|eta| eta / units.secondary).collect();
-    straighten(diagram, at, near, &etas).with_dimensions(units)
+    straighten(diagram, at, near, &etas)
 }
 
-/// The curves that leave one resonance of a diagram, in straightened coordinates. The diagram needs no
-/// regions.
+/// The curves that leave one resonance of a diagram, in straightened coordinates and the units of `axes`. The diagram
+/// needs no regions.
 pub fn straightened_at(
     axes: &Axes,
     diagram: &Diagram,
     (resonance, point): (&Resonance, &ResonantGrazingPoint),
 ) -> StraightenedCurves {
     let near = near(point);
-    let coefficients =
-        coefficients_on(point, &near).map(|known| known.with_dimensions(&axes.units).theorem.value);
-    let curves = straightened(diagram, (resonance, point), &near, &axes.units);
-    let frame = diagram.scope.window.with_dimensions(&axes.units).into();
+    let coefficients = coefficients_on(point, &near).map(|known| known.theorem.value);
+    let curves = straightened(diagram, (resonance, point), &near, &axes.units).with_dimensions(&axes.units);
     let (loops, wall, n) = (resonance.loops, diagram.wall, Some(resonance.n));
+    let frame = diagram.scope.window.into();
     let panel = MagnifiedPanel { panel: 1, frame, loops, wall, n, coefficients };
-    plane::straightened([(panel, curves.as_slice())])
+    straightened::panels([(panel.with_dimensions(&axes.units), curves.as_slice())])
+}
+
+// The coefficient of the curve on which period-doubled solutions graze is one as the others are.
+dimensioned! {
+    AtResonance, |own| {
+        own.parameters[0] => "{primary}",
+        own.parameters[1] => "{secondary}",
+        own.point,
+        own.hypotheses,
+        own.curves,
+    }
+
+    Curves, |own| {
+        own.findings.saddle_node,
+        own.findings.period_doubling,
+        own.doubled_grazing => "{primary}/{secondary}^2",
+        own.window,
+        own.magnified,
+        own.straightened,
+    }
+
+    CurveFinding, |own| {
+        own.coefficient,
+        own.simulated,
+    }
 }

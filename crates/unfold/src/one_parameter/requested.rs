@@ -7,12 +7,12 @@ use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::Dimensioned;
 use grazing_results::branches::OneParameter;
 use grazing_results::readings::{MotionReading, Ordinate, Reading};
-use grazing_unfold::diagram::DiagramCurve;
-use grazing_unfold::one_parameter::{Cut, Line, Sampling, Subject};
-use grazing_unfold::progress::Progress;
-use grazing_unfold::unfinished::Unfinished;
 
-use crate::described::prepared;
+use super::{Cut, Line, Sampling, Subject};
+use crate::curves::DiagramCurve;
+use crate::described::Prepared;
+use crate::progress::Progress;
+use crate::unfinished::Unfinished;
 
 /// Sampling of long-term behaviour: at as many parameter values as a figure can resolve as columns of
 /// dots, after a transient that is longer where damping is weak.
@@ -98,7 +98,7 @@ pub(crate) fn diagrams(
 ) -> (Vec<OneParameter>, Vec<Unfinished>) {
     let (mut diagrams, mut unfinished) = (Vec::new(), Vec::new());
     let units = description.units();
-    let (oscillator, scope) = prepared(description, &units, stop);
+    let Prepared { oscillator, scope, .. } = Prepared::of(description, stop);
     for (diagram, setting) in (1..).zip(description.diagrams()) {
         let &grazing_input::OneParameter {
             primary_is_fixed, at, range, seed, sweeps, ordinate, impacts, ..

@@ -1,10 +1,10 @@
 //! Reasons why there is nothing to unfold, in words.
 
-use grazing_analysis::nothing::Nothing;
 use grazing_input::Description;
 use grazing_unfold::UnfoldError;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
+use grazing_unfold::nothing::Nothing;
 
 /// An oscillator with this force and a wall at x = 0, in r and omega.
 fn file(force: &str, restitution: &str) -> Description {

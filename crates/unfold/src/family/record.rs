@@ -1,25 +1,23 @@
 //! The results for one member of a family.
 
+use crate::diagram::CodimensionTwoPoint;
+use crate::resonances;
+use crate::verdict::coefficients;
+use crate::{Diagram, UnfoldError};
 use grazing_continuation::mps::unknown;
 use grazing_input::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Stop;
-use grazing_model::smooth::Units;
+use grazing_model::smooth::{Stop, Units};
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
 use grazing_results::resonance::{Coefficients, Measured};
-use grazing_results::{Dimensioned, VARIED};
+use grazing_results::{Dimension, Dimensioned, VARIED, dimensioned};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::Quantity;
-use grazing_unfold::diagram::CodimensionTwoPoint;
-use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
-use grazing_unfold::resonances;
-use grazing_unfold::verdict::coefficients;
-use grazing_unfold::{Diagram, UnfoldError};
 use serde::{Deserialize, Serialize};
 
-use super::{Plan, Tell};
-use crate::plane::lost;
-use crate::unfolded::{self, Prepared, measured};
+use super::{Arc, ArcEnd, ArcPoint, Plan, Tell, arcs};
+use crate::described::{Axes, Prepared};
+use crate::unfolded::measured;
 
 /// The results for a member of a family: its own rows, and its resonances followed towards its
 /// neighbours. Curves and arcs are numbered when all records are available.
@@ -73,13 +71,13 @@ impl Record {
         if stop.is_asked() {
             return None;
         }
-        let units = description.units();
         let values = plan.values(index);
-        let prepared = |description: &Description| {
-            let (oscillator, scope) = unfolded::prepared(description, &units, stop);
-            Prepared { oscillator, scope, asked: Vec::new(), axes: unfolded::axes(description) }
+        let axes = Axes::of(description);
+        let prepared = |description: &Description| Prepared {
+            requested: Vec::new(),
+            ..Prepared::new(description, axes.clone(), stop)
         };
-        let here = prepared(description);
+        let (here, units) = (prepared(description), axes.units);
         let varied = padded(&values);
         let member = Member { varied, resonances: 0, points: 0, missing: String::new() };
         let (resonances, points, ways) = (Vec::new(), Vec::new(), Vec::new());
@@ -97,7 +95,7 @@ impl Record {
             };
             let followed = located.follow(stop, &|_, _| ());
             let diagram = located.with_curves(followed);
-            missing.extend(lost(&diagram));
+            missing.extend(diagram.lost());
             let (place, along) = (index % plan.line(), &plan.varied[0]);
             let after = along.values.get(place + 1);
             let before = place.checked_sub(1).map(|before| &along.values[before]);
@@ -126,7 +124,7 @@ impl Record {
         missing.dedup();
         record.incomplete = !missing.is_empty();
         record.member.missing = missing.join("; ");
-        (!stop.is_asked()).then_some(record)
+        (!stop.is_asked()).then(|| record.with_dimensions(&units))
     }
 
     /// Whether the record is plausible as that of this member of a family with these numbers of loops,
@@ -185,8 +183,23 @@ impl Way {
     }
 }
 
-/// Converts dimensionless results for a member into rows.
+dimensioned! {
+    Record, |own| { own.resonances, own.points, own.ways, }
+
+    Way, |own| { own.to, own.curve, own.degenerate, }
+}
+
+impl Dimensioned for Destination {
+    fn each_number(&mut self, visit: &mut dyn FnMut(Dimension, &mut f64)) {
+        if let Self::Next(resonance) = self {
+            resonance.each_number(visit);
+        }
+    }
+}
+
+/// Makes rows of the results for a member, dimensionless.
 struct Rows {
+    /// The units in which numbers stand in words.
     units: Units,
     /// The wall that sees them, if there are two.
     wall: u32,
@@ -204,7 +217,7 @@ impl Rows {
         let mut row = self.row(parameters, orbit.phase(), located.resonant_point(), self.varied, found);
         match &resonance.theorem {
             Ok(theorem) => {
-                let known = coefficients(theorem).map(|known| known.with_dimensions(&self.units));
+                let known = coefficients(theorem);
                 (row.coefficients.c_sn, row.coefficients.c_pd) =
                     (known.saddle_node.theorem.value, known.period_doubling.theorem.value);
                 row.measured = measured(&known);
@@ -232,7 +245,7 @@ impl Rows {
     ) -> Resonance {
         let [primary, secondary] = parameters;
         let coefficients = Coefficients::from(point);
-        let row = Resonance {
+        Resonance {
             varied,
             loops: point.loops(),
             wall: self.wall,
@@ -250,8 +263,7 @@ impl Rows {
             quantities: point.into(),
             pd_criticality: point.limit_map().criticality(),
             failing: String::new(),
-        };
-        row.with_dimensions(&self.units)
+        }
     }
 
     fn points(&self, diagram: &Diagram) -> Vec<Point> {
@@ -261,8 +273,7 @@ impl Rows {
             let [primary, secondary] = [at[unknown::PRIMARY], at[unknown::SECONDARY]];
             let impact_velocity = at[unknown::VELOCITY];
             let (kind, loops, n) = (point.kind, point.loops, point.n);
-            let row = Point { varied, kind, loops, wall, n, secondary, primary, impact_velocity };
-            row.with_dimensions(&self.units)
+            Point { varied, kind, loops, wall, n, secondary, primary, impact_velocity }
         };
         diagram.codimension_two.iter().map(point).collect()
     }
@@ -290,7 +301,7 @@ impl Rows {
             if matches!(meaning, Some(Degeneracy::InfinitePeriodDoubling | Degeneracy::Infinite)) {
                 coefficients.c_pd = f64::NAN;
             }
-            let row = CurvePoint {
+            CurvePoint {
                 varied,
                 loops,
                 wall: self.wall,
@@ -301,8 +312,7 @@ impl Rows {
                 primary,
                 coefficients,
                 end: String::new(),
-            };
-            row.with_dimensions(&self.units)
+            }
         };
         let mut curve: Vec<CurvePoint> = arc.points.iter().map(curve).collect();
         if let Some(last) = curve.last_mut() {
@@ -318,8 +328,7 @@ impl Rows {
             let [primary, secondary] = parameters(at);
             let varied = varied(at.way);
             let (quantity, meaning, curve, wall) = (zero.to_string(), meaning(zero), 0, self.wall);
-            let row = Degenerate { varied, loops, wall, n, curve, quantity, meaning, secondary, primary };
-            Some(row.with_dimensions(&self.units))
+            Some(Degenerate { varied, loops, wall, n, curve, quantity, meaning, secondary, primary })
         });
         let to = match (&arc.end, arc.points.last()) {
             (ArcEnd::Across, Some(last)) => {

@@ -4,14 +4,15 @@ use std::collections::BTreeMap;
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
-use grazing_results::Table;
+use crate::Diagram;
+use crate::diagram::DiagramCurve;
+use crate::progress::Progress;
+use crate::regions::Region;
 use grazing_results::plane::{PlaneDiagram, PlanePoint};
-use grazing_unfold::Diagram;
-use grazing_unfold::diagram::DiagramCurve;
-use grazing_unfold::progress::Progress;
-use grazing_unfold::regions::Region;
+use grazing_results::{Dimensioned, Table};
 
-use crate::plane::{self, Axes};
+use crate::described::Axes;
+use crate::plane;
 
 /// What is known of a diagram so far.
 pub struct Draft<'a> {
@@ -56,8 +57,9 @@ pub(super) fn complete(axes: &Axes, located: Diagram, progress: &dyn Progress, k
 }
 
 fn pass_on(axes: &Axes, known: &Diagram, news: &Receiver<News>, keep: Keep<'_>) {
-    let rows = |curve: &DiagramCurve| plane::bifurcation_rows(axes, known, curve);
-    let before = plane::grazing_rows(axes, known).into_iter().chain(known.curves.iter().map(rows));
+    let rows = |curve: &DiagramCurve| plane::bifurcation_rows(known, curve).with_dimensions(&axes.units);
+    let grazing = plane::grazing_rows(known).with_dimensions(&axes.units);
+    let before = grazing.into_iter().chain(known.curves.iter().map(rows));
     let before: Vec<Vec<PlanePoint>> = before.collect();
     let mut finished: BTreeMap<usize, Vec<(DiagramCurve, Vec<PlanePoint>)>> = BTreeMap::new();
     let open = |loops: &u32| (*loops, (Vec::new(), vec![Region::not_finished(known.scope.window, *loops)]));
@@ -93,7 +95,7 @@ fn pass_on(axes: &Axes, known: &Diagram, news: &Receiver<News>, keep: Keep<'_>) 
         let is_open = |curve: &DiagramCurve| decided.get(&curve.loops).is_none_or(|(all, _)| all.is_empty());
         shown.curves.extend(listed.iter().map(|(curve, _)| curve.clone()).filter(is_open));
         let plane = || {
-            let plane = plane::plane_diagram(axes, (&shown, None), Vec::new(), Vec::new());
+            let plane = plane::rows(&shown, None).with_dimensions(&axes.units);
             let others = plane.curves.chunk_by(|a, b| a.at.arc == b.at.arc).map(<[PlanePoint]>::to_vec);
             let grazing = before[..known.grazing.len()].iter().cloned();
             PlaneDiagram { curves: plane::numbered(grazing.chain(others)), ..plane }

@@ -3,12 +3,12 @@
 use core::f64::consts::TAU;
 use core::fmt::{self, Display, Formatter};
 
+use crate::UnfoldError;
+use crate::escape::Escape;
+use crate::non_impacting::{Height, rest_positions};
 use grazing_input::{Axis, Description};
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::brief;
-use grazing_unfold::UnfoldError;
-use grazing_unfold::escape::Escape;
-use grazing_unfold::non_impacting::{Height, rest_positions};
 
 /// The reason why there is nothing to unfold.
 #[derive(Clone, Debug)]

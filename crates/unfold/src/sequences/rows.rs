@@ -1,63 +1,61 @@
-//! Rows of solutions with several impacts.
+//! Rows of solutions with several impacts, dimensionless.
 
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Units;
-use grazing_results::Dimensioned;
 use grazing_results::plane::{
     OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex, Walls,
 };
-use grazing_unfold::curves::DiagramCurve;
-use grazing_unfold::generations::{BaseName, LaterResonance};
-use grazing_unfold::sequences::{Sequence, Sequences};
 
+use super::{Sequence, Sequences};
+use crate::curves::DiagramCurve;
+use crate::generations::{BaseName, LaterResonance};
 use crate::plane::{on_curve, with_ends};
 
-/// The rows of solutions with several impacts, in these units, as the wall with this number sees them, if there are two.
-pub fn rows(found: &Sequences, units: &Units, wall: u32) -> SequenceDiagram {
-    let resonances = (1..).zip(&found.resonances).map(|(number, at)| resonance(number, at, units));
-    let curves = numbered(found).flat_map(|(arc, of, curve)| {
-        points(arc, of, curve, units).into_iter().map(move |point| own_point(of, wall, point))
-    });
-    SequenceDiagram {
-        resonances: resonances.collect(),
-        curves: curves.collect(),
-        regions: regions(found.solutions.iter(), units, wall),
+impl Sequences {
+    /// The rows, as the wall with this number sees the solutions, if there are two.
+    pub fn rows(&self, wall: u32) -> SequenceDiagram {
+        let resonances = (1..).zip(&self.resonances).map(|(number, at)| resonance(number, at));
+        let curves = numbered(self).flat_map(|(arc, of, curve)| {
+            points(arc, of, curve).into_iter().map(move |point| own_point(of, wall, point))
+        });
+        SequenceDiagram {
+            resonances: resonances.collect(),
+            curves: curves.collect(),
+            regions: regions(self.solutions.iter(), wall),
+        }
+    }
+
+    /// The curves of solutions that hit both of two walls, with the numbers that they have among all of
+    /// [`rows`](Self::rows), but without phases of impacts.
+    pub fn at_both_walls(&self) -> Vec<PlanePoint> {
+        let both = numbered(self).filter(|(_, of, _)| of.hits_both());
+        both.flat_map(|(arc, of, curve)| points(arc, of, curve)).collect()
     }
 }
 
-/// The walls that the impacts of solutions hit, one after the other; none with one wall.
-pub fn walls(of: &Sequence, wall: u32) -> Walls {
-    let stop = |impact: usize| if of.stops.is_empty() { 0 } else { of.stops[impact % of.stops.len()] };
-    // To the second wall the first one is the other.
-    let number = |stop: usize| if wall == 2 { 2 - stop } else { 1 + stop };
-    Walls((0..of.impacts).filter(|_| wall > 0).map(|impact| number(stop(impact))).collect())
-}
+impl Sequence {
+    /// The walls that impacts hit, one after the other, as the wall with this number sees them; none with one wall.
+    pub fn walls(&self, wall: u32) -> Walls {
+        let stop =
+            |impact: usize| if self.stops.is_empty() { 0 } else { self.stops[impact % self.stops.len()] };
+        // To the second wall the first one is the other.
+        let number = |stop: usize| if wall == 2 { 2 - stop } else { 1 + stop };
+        Walls((0..self.impacts).filter(|_| wall > 0).map(|impact| number(stop(impact))).collect())
+    }
 
-/// Whether solutions hit both of two walls.
-pub fn hit_both(of: &Sequence) -> bool {
-    [0, 1].iter().all(|stop| of.stops.contains(stop))
-}
-
-/// The curves of solutions that hit both of two walls, with the numbers that they have among all of [`rows`], but without
-/// phases of impacts.
-pub fn at_both_walls(found: &Sequences, units: &Units) -> Vec<PlanePoint> {
-    let both = numbered(found).filter(|(_, of, _)| hit_both(of));
-    both.flat_map(|(arc, of, curve)| points(arc, of, curve, units)).collect()
+    /// Whether these solutions hit both of two walls.
+    pub fn hits_both(&self) -> bool {
+        [0, 1].iter().all(|stop| self.stops.contains(stop))
+    }
 }
 
 /// A curve with this number, point by point, without phases of impacts.
-fn points(
-    arc: u32,
-    of: &Sequence,
-    DiagramCurve { kind, curve, .. }: &DiagramCurve,
-    units: &Units,
-) -> Vec<PlanePoint> {
+fn points(arc: u32, of: &Sequence, DiagramCurve { kind, curve, .. }: &DiagramCurve) -> Vec<PlanePoint> {
     let point = |solution: &PeriodicSolution| {
         let at = on_curve(*kind, solution, [solution.impact_velocity(), f64::NAN]);
         PlanePoint { kind: *kind, loops: of.periods, wall: 0, n: 0, at: OnCurve { arc, ..at } }
     };
-    with_ends(units, curve.points.iter().map(|one| point(&one.solution)), curve.lost())
+    with_ends(curve.points.iter().map(|one| point(&one.solution)), curve.lost())
 }
 
 /// All curves, numbered from 0, each with the solutions that it is of.
@@ -67,7 +65,7 @@ fn numbered(found: &Sequences) -> impl Iterator<Item = (u32, &Sequence, &Diagram
     (0..).zip(curves).map(|(arc, (of, curve))| (arc, of, curve))
 }
 
-fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonance {
+fn resonance(number: u32, at: &LaterResonance) -> SequenceResonance {
     let BaseName { impacts: base_impacts, periods: base_periods, .. } = at.base;
     let [primary, secondary] = at.resonance.located.orbit().oscillator().parameters();
     let (coefficients, fails) = match &at.resonance.theorem {
@@ -87,7 +85,6 @@ fn resonance(number: u32, at: &LaterResonance, units: &Units) -> SequenceResonan
         period_doubling: coefficients[1],
         fails,
     }
-    .with_dimensions(units)
 }
 
 /// A point of a curve of these solutions, in its own table.
@@ -95,7 +92,7 @@ fn own_point(of: &Sequence, wall: u32, PlanePoint { kind, at, .. }: PlanePoint) 
     SequencePoint {
         impacts: of.impacts as u32,
         periods: of.periods,
-        walls: walls(of, wall),
+        walls: of.walls(wall),
         kind,
         secondary: at.secondary,
         primary: at.primary,
@@ -111,7 +108,7 @@ fn own_point(of: &Sequence, wall: u32, PlanePoint { kind, at, .. }: PlanePoint) 
 }
 
 /// The regions of solutions with several impacts, vertex by vertex.
-fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units, wall: u32) -> Vec<SequenceVertex> {
+fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, wall: u32) -> Vec<SequenceVertex> {
     let regions = all.flat_map(|solutions| solutions.regions.iter().map(move |region| (solutions, region)));
     let rows = (1..).zip(regions).flat_map(|(number, (of, region))| {
         let kind = if region.doubt.is_some() { RegionKind::Undecided } else { RegionKind::SeveralImpacts };
@@ -120,9 +117,9 @@ fn regions<'a>(all: impl Iterator<Item = &'a Sequence>, units: &Units, wall: u32
             kind,
             impacts: of.impacts as u32,
             periods: of.periods,
-            walls: walls(of, wall),
+            walls: of.walls(wall),
             at,
         })
     });
-    rows.map(|row| row.with_dimensions(units)).collect()
+    rows.collect()
 }

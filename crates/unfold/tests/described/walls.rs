@@ -1,6 +1,5 @@
 //! The plane of oscillators between two walls, against simulation and solutions found at places.
 
-use grazing_analysis::unfolded::Unfolded;
 use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Stop;
@@ -8,6 +7,7 @@ use grazing_unfold::Diagram;
 use grazing_unfold::long_time::{Horizon, Patience};
 use grazing_unfold::place::{Place, Starts};
 use grazing_unfold::progress::Silent;
+use grazing_unfold::unfolded::Unfolded;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 

@@ -2,7 +2,8 @@
 
 use grazing_model::smooth::Units;
 use grazing_results::brief;
-use grazing_unfold::grazing::{GrazingCurve, GrazingState};
+
+use super::{GrazingCurve, GrazingState};
 
 /// Where neighbouring motion is forgotten within a period; nothing if that is nowhere.
 pub fn forgotten(curve: &GrazingCurve, secondary: &str, units: &Units) -> Option<String> {
