@@ -78,8 +78,8 @@ impl Task<'_> {
             self.model.read(self.file, view, stop)
         };
         let (description, taken) = reading(Path::new(self.file), Limits::USUAL, read)?;
-        let text = self.model.written().to_owned();
-        Ok(OscillatorFile { file: PathBuf::from(self.file), text, description, taken })
+        let (text, settings) = (self.model.written().to_owned(), self.model.settings(view)?);
+        Ok(OscillatorFile { file: PathBuf::from(self.file), text, settings, description, taken })
     }
 
     fn running(&self, of: &OscillatorFile) -> Running<'_> {

@@ -15,8 +15,10 @@ use crate::limits::reading;
 #[derive(Clone)]
 pub(crate) struct OscillatorFile {
     pub(crate) file: PathBuf,
-    /// The text of the file, with the settings over it as comments at the top.
+    /// The text of the file.
     pub(crate) text: String,
+    /// What replaces values in it.
+    pub(crate) settings: Vec<Setting>,
     pub(crate) description: Description,
     /// The time that reading took.
     pub(crate) taken: Duration,
@@ -32,7 +34,7 @@ impl OscillatorFile {
         let (named, set) = (file.display().to_string(), Text::new(&text, &settings));
         let read = |stop: &Stop| Ok(Description::parse_with(&set, &named, stop)?);
         let (description, taken) = reading(file, limits, read)?;
-        Ok(Self { file: file.to_owned(), text: noted(&text, &settings), description, taken })
+        Ok(Self { file: file.to_owned(), text, settings, description, taken })
     }
 
     /// The oscillator with other numbers of loops, if there are any.

@@ -13,11 +13,18 @@
 //!                  ├─ verdict         whether the theorem's coefficients are those of the curves
 //!                  ├─ verification    whether the hybrid system, simulated (simulation), does what is predicted
 //!                  └─ one_parameter   branches on a line of the plane, with simulation (long_time) and phase portraits
+//!
+//! described      an oscillator from a text file, prepared for an analysis, as each of its walls sees it
+//!   ├─ unfolded   all of the above for it, as the rows of its tables
+//!   ├─ family     its resonances as constants vary
+//!   └─ nothing    why there is nothing to unfold, in words
 //! ```
 //!
 //! All quantities are in units in which motion is of the order of one:
-//! [`Dimensionless`](grazing_model::smooth::Dimensionless) converts any oscillator to this form,
-//! and [`Dimensioned`](grazing_results::Dimensioned) converts results back.
+//! [`Dimensionless`](grazing_model::smooth::Dimensionless) converts any oscillator to this form.
+//! Results give their rows in the same units ([`plane::rows`], [`Sequences::rows`](sequences::Sequences::rows),
+//! [`Place::rows`](place::Place::rows)), and [`Dimensioned`](grazing_results::Dimensioned) converts these to
+//! the oscillator's own.
 //!
 //! All functions take [`AnyOscillator`](grazing_model::AnyOscillator): the paper's oscillator with
 //! its closed form and one that is integrated from a text file differ only in their flow.

@@ -196,11 +196,15 @@ impl Unfolded {
     /// The resonances at which a theorem holds, with the results for their curves, at the first wall and at the
     /// other, if there are two. Where both are alike each resonance is one at either, and shown at the first.
     fn unfolding(&self) -> impl Iterator<Item = (&AtResonance, &Curves)> {
-        let own = || self.resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)));
-        let others = self.other.iter().flat_map(|other| &other.resonances);
-        let others = others.filter_map(|at| Some((at, at.curves.as_ref()?)));
-        let is_new = move |(at, _): &(&AtResonance, &Curves)| !own().any(|(known, _)| at.is_like(known));
-        own().chain(others.filter(is_new))
+        let others = self.other.iter().flat_map(|other| other.with_curves());
+        let is_new =
+            move |(at, _): &(&AtResonance, &Curves)| !self.with_curves().any(|(known, _)| at.is_like(known));
+        self.with_curves().chain(others.filter(is_new))
+    }
+
+    /// The resonances at which a theorem holds, as one wall sees them, with the results for their curves.
+    fn with_curves(&self) -> impl Iterator<Item = (&AtResonance, &Curves)> {
+        self.resonances.iter().filter_map(|at| Some((at, at.curves.as_ref()?)))
     }
 
     /// The wall at which a resonance is named: none if it is the same at the other one, or there is only one.
@@ -258,22 +262,18 @@ impl Unfolded {
 
     /// The rows of quantities along the grazing curve.
     pub fn along_grazing(&self) -> AlongGrazing {
-        let (mut grazing, mut grazing_loops) = (tables::grazing(self), self.along.clone());
-        if let Some(other) = self.other.as_deref().map(Self::along_grazing) {
-            grazing.extend(other.grazing);
-            grazing_loops.extend(other.grazing_loops);
+        AlongGrazing {
+            grazing: self.from_each_wall().flat_map(tables::grazing).collect(),
+            grazing_loops: self.from_each_wall().flat_map(|seen| seen.along.clone()).collect(),
         }
-        AlongGrazing { grazing, grazing_loops }
     }
 
     /// The rows of results at resonances.
     pub fn at_resonances(&self) -> AtResonances {
-        let (mut coefficients, mut hypotheses) = (tables::coefficients(self), tables::hypotheses(self));
-        if let Some(other) = self.other.as_deref().map(Self::at_resonances) {
-            coefficients.extend(other.coefficients);
-            hypotheses.extend(other.hypotheses);
+        AtResonances {
+            coefficients: self.from_each_wall().flat_map(tables::coefficients).collect(),
+            hypotheses: self.from_each_wall().flat_map(tables::hypotheses).collect(),
         }
-        AtResonances { coefficients, hypotheses }
     }
 }
 

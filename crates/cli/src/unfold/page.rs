@@ -11,7 +11,7 @@ use grazing_unfold::regions::Region;
 use super::analysis::Analysis;
 use super::reason;
 use crate::folder::{self, OutputFile};
-use crate::oscillator::{OscillatorFile, file_name};
+use crate::oscillator::{OscillatorFile, file_name, noted};
 use crate::outputs::ComputedOutput;
 use crate::outputs::oscillator::AnalysedOscillator;
 use crate::versions;
@@ -50,7 +50,7 @@ pub(super) fn page(
     let report = Report {
         manifest: Manifest {
             parameter_file: entry.file.clone(),
-            parameters: analysed.oscillator.text.clone(),
+            parameters: noted(&analysed.oscillator.text, &analysed.oscillator.settings),
             outputs: files.iter().map(digest).collect(),
             ..versions::manifest()
         },

@@ -35,7 +35,10 @@ fn motion_at_a_place_is_drawn_tabulated_and_listed_beside_an_own_curve() {
     assert!(rows.len() > 100 && rows.iter().all(|row| row[4] < 0.0), "{motion}");
     let [first, last] = [&rows[0], &rows[rows.len() - 1]];
     assert!((first[4] - last[4]).abs() < 1e-6 && (first[5] - last[5]).abs() < 1e-6, "{first:?} {last:?}");
-    assert!(read("place-1.svg").contains("no impacts: 100 %") && read("report.html").contains("place-1"));
+    let page = read("report.html");
+    assert!(read("place-1.svg").contains("no impacts: 100 %") && page.contains("place-1"));
+    // What was set stands above the file's text, and is no part of what the file says of itself.
+    assert!(page.contains("# --set curves=") && !page.contains("class=\"about\">--set"));
     assert!(read("data/README.md").contains("place_basins") && read("diagram.svg").contains(">hard<"));
 }
 

@@ -68,7 +68,7 @@ pub(crate) fn measured(known: &Pair<Coefficient>) -> Measured {
     }
 }
 
-/// The resonances at which a theorem holds.
+/// The resonances at which a theorem holds, as one wall sees them.
 pub(super) fn coefficients(unfolded: &Unfolded) -> Vec<CoefficientRow> {
     let row = |(at, curves): (&AtResonance, &Curves)| {
         let (point, known) = (&at.point, curves.findings.map(|finding| finding.coefficient));
@@ -77,7 +77,7 @@ pub(super) fn coefficients(unfolded: &Unfolded) -> Vec<CoefficientRow> {
         let [_, _, sigma] = point.limit_map().numbers();
         CoefficientRow {
             loops: at.loops,
-            wall: unfolded.diagram.wall,
+            wall: at.wall,
             n: at.n,
             secondary: at.parameters[1],
             primary: at.parameters[0],
@@ -100,7 +100,7 @@ pub(super) fn coefficients(unfolded: &Unfolded) -> Vec<CoefficientRow> {
             pd_simulation_reason: simulated.period_doubling.reason(),
         }
     };
-    unfolded.unfolding().map(row).collect()
+    unfolded.with_curves().map(row).collect()
 }
 
 /// The hypotheses of the theorem at every resonance, one by one.

@@ -106,3 +106,24 @@ fn between_two_walls_motion_settles_where_regions_say_so_and_nowhere_else() {
         assert!(at_both > 10, "{name}: {at_both}");
     }
 }
+
+#[test]
+fn a_resonance_at_each_of_two_unlike_walls_is_listed_once_for_each_with_its_own_coefficients() {
+    let unlike = "[[walls]]\nposition = \"1\"\nrestitution = \"0.8\"\n[[walls]]\nposition = \"-1\"\nrestitution = \"0.6\"\n";
+    let unfolded = between(unlike);
+    let listed = unfolded.at_resonances().coefficients;
+    let expected: Vec<(u32, u32, u32, f64)> = unfolded
+        .from_each_wall()
+        .flat_map(|seen| seen.resonances.iter().filter(|at| at.curves.is_some()))
+        .map(|at| (at.wall, at.loops, at.n, at.point.saddle_node_coefficient()))
+        .collect();
+    let rows: Vec<_> = listed.iter().map(|row| (row.wall, row.loops, row.n, row.coefficients.c_sn)).collect();
+    assert_eq!(rows, expected);
+    // Both walls are as far away, so that motion grazes both at once and only what an impact does differs.
+    let at = |wall: u32| rows.iter().filter(move |(own, ..)| *own == wall).collect::<Vec<_>>();
+    let (first, second) = (at(1), at(2));
+    assert!(!first.is_empty() && first.len() == second.len(), "{rows:?}");
+    for (one, other) in first.iter().zip(&second) {
+        assert!((one.1, one.2) == (other.1, other.2) && one.3 != other.3, "{one:?} {other:?}");
+    }
+}
