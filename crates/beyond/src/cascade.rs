@@ -90,7 +90,7 @@ tables! {
         /// The points are those of the resonance of each p with the least |σ| whose period doubling
         /// creates stable orbits. For p = 1 motion is followed beyond where it misses the wall, for p ≥ 2
         /// it is not.
-        points: CascadePoint = "beyond_cascade_attractor", "an impact of simulated motion",
+        points: CascadePoint = "beyond_cascade_attractor", "an impact of simulated motion" as Cloud,
     }
 }
 

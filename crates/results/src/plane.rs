@@ -324,8 +324,8 @@ tables! {
         /// The curves are the grazing curve of the non-impacting solution and the bifurcation curves of
         /// MPSs. Consecutive points with equal kind, p, n and arc form one curve.
         curves: PlanePoint = "curves", "a point of a curve of the diagram",
-        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
-        regions: RegionVertex = "regions", "a vertex of a region of stability",
+        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point" as Points,
+        regions: RegionVertex = "regions", "a vertex of a region of stability" as Areas,
         ;
         /// The part of the plane that is shown: primary parameter horizontal, secondary parameter
         /// vertical.
@@ -348,7 +348,7 @@ tables! {
     SequenceDiagram: Dimensioned {
         resonances: SequenceResonance = "sequence_resonances", "a resonance on a curve along which solutions with impacts graze",
         curves: SequencePoint = "sequence_curves", "a point of a curve of solutions with several impacts",
-        regions: SequenceVertex = "sequence_regions", "a vertex of a region of stability of solutions with several impacts",
+        regions: SequenceVertex = "sequence_regions", "a vertex of a region of stability of solutions with several impacts" as Areas,
     }
 
     /// The curves that a file requests.
