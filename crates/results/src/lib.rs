@@ -50,7 +50,7 @@ pub use cell::{Cell, Stability, Tone, brief};
 pub use columns::Column;
 pub use dimension::{Dimension, Dimensioned, Field};
 pub use frame::{Frame, span};
-pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol, with_unit};
+pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol, with_unit, words};
 pub use scientific::Scientific;
 pub use table::{Drawn, Row, Table, TablePlan, Tables};
 pub use title::Title;

@@ -7,7 +7,7 @@ use askama::Template;
 use grazing_drawing::Sheet;
 use grazing_results::columns::{LOOPS, RESONANCE_INDEX};
 use grazing_results::title::{Part, Place, parts};
-use grazing_results::{Cell, Column, GREEK, Scientific, Table, Title, raised, symbol};
+use grazing_results::{Cell, Column, GREEK, Scientific, Table, Title, raised, symbol, words};
 
 use crate::folder::{self, OutputFile};
 use crate::template::rendered;
@@ -277,18 +277,11 @@ fn with_symbols(text: &str) -> String {
             None => letter(name) && (name.len() > 1 || "npwxyz".contains(name)),
         }
     };
-    let part_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
-    let (mut set, mut rest) = (String::new(), text);
-    while let Some(first) = rest.chars().next() {
-        let end = rest.find(|character| !part_of_name(character)).unwrap_or(rest.len());
-        let (word, after) = rest.split_at(end.max(if end == 0 { first.len_utf8() } else { 0 }));
-        match symbol(word).filter(|_| is_name(word)) {
-            Some(symbol) => set.push_str(&format!("${symbol}$")),
-            None => set.push_str(&escaped(word)),
-        }
-        rest = after;
-    }
-    set
+    let set = |word: &str| match symbol(word).filter(|_| is_name(word)) {
+        Some(symbol) => format!("${symbol}$"),
+        None => escaped(word),
+    };
+    words(text, &['_']).map(set).collect()
 }
 
 impl Float {
