@@ -34,7 +34,7 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
         return runner::run(|| page(folder, program, &examples), None);
     }
     let export: Export = Box::new(|seen, what, columns, _| {
-        exported(seen, what, columns).map_err(|failure| failure.to_string())
+        figure_file(seen, what, columns).map_err(|failure| failure.to_string())
     });
     let server =
         Server::bind(arguments.port, Limits::default(), program(), examples, export).map_err(|reason| {
@@ -123,7 +123,7 @@ fn open(address: &str) -> Option<NamedTempFile> {
 }
 
 /// A file of what the page shows, produced as `unfold` produces it.
-fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
+fn figure_file(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
     let format = match what {
         "svg" => Some((Format::Svg, "image/svg+xml")),
         "pdf" => Some((Format::Pdf, "application/pdf")),
