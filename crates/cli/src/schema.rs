@@ -3,11 +3,11 @@
 use grazing_beyond::parameters;
 use grazing_input::Description;
 
-use crate::arguments::{Schema, Written};
+use crate::arguments::{SchemaArguments, Written};
 use crate::terminal;
 
 /// Prints the schema of a kind of file.
-pub(crate) fn run(arguments: &Schema) {
+pub(crate) fn run(arguments: &SchemaArguments) {
     let schema = match arguments.of {
         Written::Oscillator => Description::requirements().schema("An impact oscillator"),
         Written::Parameters => parameters::requirements().schema("Parameters of the figures of the paper"),

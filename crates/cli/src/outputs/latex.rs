@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use askama::Template;
 use grazing_drawing::Sheet;
 use grazing_results::columns::{LOOPS, RESONANCE_INDEX};
-use grazing_results::title::{Part, Place, parts};
+use grazing_results::title::{TitlePart, TitleSubject, parts};
 use grazing_results::{Cell, Column, GREEK, Scientific, Table, Title, raised, symbol, words};
 
 use crate::folder::{self, OutputFile};
@@ -149,7 +149,7 @@ impl Float {
     pub(crate) fn figure(file: &str, sheet: &Sheet, caption: &Caption) -> Self {
         let pdf = Path::new(file).with_extension("pdf");
         let number = match caption.title.place {
-            Place::Figure(number) => Some(number),
+            TitleSubject::Figure(number) => Some(number),
             _ => None,
         };
         let text = [&sentence(&caption.title), &*sheet.description, caption.remark.trim_start()];
@@ -234,7 +234,7 @@ pub(crate) fn files<'a>(
 /// A title as a sentence, without its number: LaTeX numbers captions itself.
 fn sentence<Words: AsRef<str>>(title: &Title<Words>) -> String {
     let words = match (title.place, title.before()) {
-        (Place::Beyond, Some(before)) => Cow::Owned(format!("{before}: {}", title.words.as_ref())),
+        (TitleSubject::Beyond, Some(before)) => Cow::Owned(format!("{before}: {}", title.words.as_ref())),
         _ => Cow::Borrowed(title.words.as_ref()),
     };
     let mut letters = words.chars();
@@ -255,8 +255,8 @@ enum Piece {
 fn prose(text: &str) -> Vec<Piece> {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let piece = |part| match part {
-        Part::Words(words) => Piece::Text(with_symbols(words)),
-        Part::Figure(number) => Piece::Figure(number),
+        TitlePart::Words(words) => Piece::Text(with_symbols(words)),
+        TitlePart::Figure(number) => Piece::Figure(number),
     };
     let mut pieces = Vec::new();
     for (index, between) in text.split('$').enumerate() {
