@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use grazing_drawing::{PanelMark, Sheet};
 use grazing_results::columns::HYPOTHESIS;
-use grazing_results::{Cell, Column, Drawn, Scientific, Table, brief};
+use grazing_results::{Cell, Column, DrawnAs, Scientific, Table, brief};
 use miniz_oxide::deflate::compress_to_vec;
 
 use crate::columns::name;
@@ -46,11 +46,11 @@ enum Rounding {
 pub(crate) fn of_figure(FigureEntry { sheet, tables, .. }: &FigureEntry) -> String {
     // A panel that names no tables may show rows of any but what bounds areas.
     let shows = |panel: &PanelMark, table: &Table| match panel.tables.as_slice() {
-        [] => table.drawn != Drawn::Areas,
+        [] => table.drawn != DrawnAs::Areas,
         named => named.contains(&table.name),
     };
     let shown = tables.iter().filter(|table| sheet.panels().any(|panel| shows(panel, table)));
-    let (points, others): (Vec<_>, Vec<_>) = shown.partition(|table| table.drawn == Drawn::Points);
+    let (points, others): (Vec<_>, Vec<_>) = shown.partition(|table| table.drawn == DrawnAs::Points);
     packed(points.into_iter().chain(others), &BOOKKEEPING, Rounding::Column(digits(sheet)))
 }
 
@@ -88,7 +88,7 @@ fn digits(sheet: &Sheet) -> usize {
 fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rounding: Rounding) -> String {
     let table = |table: &Table| {
         let text = json_string(&by_columns(table, without, rounding));
-        format!("{}:[{},{text}]", json_string(table.name), table.drawn == Drawn::Cloud)
+        format!("{}:[{},{text}]", json_string(table.name), table.drawn == DrawnAs::Cloud)
     };
     let tables: Vec<String> = tables.into_iter().map(table).collect();
     if tables.is_empty() {

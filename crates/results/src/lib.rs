@@ -52,5 +52,5 @@ pub use dimension::{Dimension, Dimensioned, Field};
 pub use frame::{Frame, span};
 pub use names::{GREEK, Names, UnitNames, VARIED, directs, raised, symbol, with_unit, words};
 pub use scientific::Scientific;
-pub use table::{Drawn, Row, Table, TablePlan, Tables};
+pub use table::{DrawnAs, Row, Table, TablePlan, Tables};
 pub use title::Title;

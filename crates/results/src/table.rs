@@ -15,7 +15,7 @@ pub trait Row {
 
 /// What the rows of a table are in a figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Drawn {
+pub enum DrawnAs {
     /// Points along curves, or anything that no other word fits.
     #[default]
     Curves,
@@ -37,13 +37,13 @@ pub struct TablePlan {
     /// The columns, in order.
     pub columns: &'static [Column],
     /// What the rows are in a figure.
-    pub drawn: Drawn,
+    pub drawn: DrawnAs,
 }
 
 impl TablePlan {
     /// A table of rows of type `R`.
     pub const fn of<R: Row>(name: &'static str, row: &'static str) -> Self {
-        Self { name, row, columns: R::COLUMNS, drawn: Drawn::Curves }
+        Self { name, row, columns: R::COLUMNS, drawn: DrawnAs::Curves }
     }
 
     /// The given tables with other names.
@@ -74,7 +74,7 @@ pub struct Table {
     /// The rows.
     pub rows: Vec<Vec<Cell>>,
     /// What the rows are in a figure.
-    pub drawn: Drawn,
+    pub drawn: DrawnAs,
 }
 
 impl Table {
@@ -105,7 +105,7 @@ impl Table {
         let headers = columns.iter().map(|column| column.header(names)).collect();
         let symbols = columns.iter().map(|column| column.symbol(names)).collect();
         let units = columns.iter().map(|column| column.unit(names)).collect();
-        Self { name, columns, headers, symbols, units, rows, drawn: Drawn::default() }
+        Self { name, columns, headers, symbols, units, rows, drawn: DrawnAs::default() }
     }
 
     /// The index of the column with this header.
@@ -238,7 +238,7 @@ macro_rules! row {
 }
 
 /// Declares the contents of an output: lists of rows, each with the name of its table, a description of a
-/// row, what the rows are in a figure ([`Drawn`](crate::Drawn)) unless they are points of curves, and optional further
+/// row, what the rows are in a figure ([`DrawnAs`](crate::DrawnAs)) unless they are points of curves, and optional further
 /// documentation; then other fields. One that is declared as `Output: Dimensioned` is
 /// [`Dimensioned`](crate::Dimensioned) in all its fields.
 #[macro_export]
@@ -264,7 +264,7 @@ macro_rules! tables {
 
         impl $crate::Tables for $name {
             const TABLES: &'static [$crate::TablePlan] = &[$($crate::TablePlan {
-                $(drawn: $crate::Drawn::$drawn,)?
+                $(drawn: $crate::DrawnAs::$drawn,)?
                 ..$crate::TablePlan::of::<$row>($table, $is)
             },)+];
 
