@@ -28,7 +28,7 @@ const IMPACTS: [u32; 4] = [2, 4, 8, 16];
 
 rows! {
     /// A point of a boundary.
-    Boundary {
+    AtlasBoundary {
         loops: u32 = ATLAS_LOOPS,
         impacts: u32 = IMPACTS_BEGUN,
         epsilon: f64 = EPSILON,
@@ -36,7 +36,7 @@ rows! {
     }
 
     /// A resonance of Figure 7.
-    Place {
+    AtlasResonance {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
         sigma: f64 = SIGMA,
@@ -46,7 +46,7 @@ rows! {
 
 /// The limit map at a place of the lattice.
 #[derive(Clone, Debug)]
-pub struct Node {
+pub struct AtlasNode {
     loops: u32,
     epsilon: f64,
     sigma: f64,
@@ -54,7 +54,7 @@ pub struct Node {
     cascade: Cascade,
 }
 
-row! { Node, |this| {
+row! { AtlasNode, |this| {
     let map = &this.map;
     let [_, first] = map.period_doubling();
 } [
@@ -77,9 +77,9 @@ tables! {
     /// The atlas of the limit map over all (σ, ε).
     Atlas {
         /// Consecutive points with equal p and number of impacts form one curve.
-        boundaries: Boundary = "beyond_atlas", "a point of a boundary",
-        places: Place = "beyond_atlas_resonances", "a resonance of Figure 7",
-        lattice: Node = "beyond_atlas_lattice", "a node of a lattice in (ε, σ), extended by the ε of Figure 7",
+        boundaries: AtlasBoundary = "beyond_atlas", "a point of a boundary",
+        places: AtlasResonance = "beyond_atlas_resonances", "a resonance of Figure 7",
+        lattice: AtlasNode = "beyond_atlas_lattice", "a node of a lattice in (ε, σ), extended by the ε of Figure 7",
         ;
         /// The ε of Figure 7.
         epsilon: f64,
@@ -113,7 +113,7 @@ impl StudyFigure for BeyondAtlas {
         let epsilon = study.parameters.oscillator()?.coefficient_of_restitution();
         let places = study.diagram()?.unfolding().map(|(found, _)| {
             let [_, _, sigma] = found.located.resonant_point().limit_map().numbers();
-            Place { loops: found.loops, n: found.n, sigma, epsilon }
+            AtlasResonance { loops: found.loops, n: found.n, sigma, epsilon }
         });
         let mut asked = Vec::new();
         for loops in [1, 2] {
@@ -125,7 +125,7 @@ impl StudyFigure for BeyondAtlas {
             }
         }
         let found = asked.into_par_iter().map(|(loops, count, impacts, epsilon)| {
-            Ok(Boundary { loops, impacts, epsilon, sigma: boundary(loops, epsilon, count)? })
+            Ok(AtlasBoundary { loops, impacts, epsilon, sigma: boundary(loops, epsilon, count)? })
         });
         let boundaries = found.collect::<Result<_, StudyError>>()?;
         let mut nodes = Vec::new();
@@ -139,7 +139,7 @@ impl StudyFigure for BeyondAtlas {
         nodes.sort_by_key(|(loops, ..)| *loops);
         let node = |(loops, epsilon, sigma)| {
             let map = LimitMap::of_linear_oscillator(loops, sigma, epsilon)?;
-            Ok(Node { loops, epsilon, sigma, map, cascade: Cascade::of(&map, IMPACTS.len()) })
+            Ok(AtlasNode { loops, epsilon, sigma, map, cascade: Cascade::of(&map, IMPACTS.len()) })
         };
         let lattice = nodes.into_par_iter().map(node).collect::<Result<_, StudyError>>()?;
         Ok(Atlas { boundaries, places: places.collect(), lattice, epsilon })
@@ -150,7 +150,7 @@ impl StudyFigure for BeyondAtlas {
     }
 }
 
-impl Node {
+impl AtlasNode {
     /// M_2GZ/M_PD at the node.
     fn grazing(&self) -> f64 {
         self.in_units(self.map.doubled_grazing())

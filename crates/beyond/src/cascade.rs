@@ -13,7 +13,7 @@ use grazing_reproduction::prelude::*;
 use grazing_results::{row, rows, tables};
 use grazing_theorems::limit_map::LimitImpact;
 use grazing_theorems::{LimitMap, ResonantPoint, Side};
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 use rayon::prelude::*;
 
 keys! {
@@ -90,7 +90,7 @@ tables! {
         /// The points are those of the resonance of each p with the least |σ| whose period doubling
         /// creates stable orbits. For p = 1 motion is followed beyond where it misses the wall, for p ≥ 2
         /// it is not.
-        points: CascadePoint = "beyond_cascade_attractor", "an impact of simulated motion",
+        points: CascadePoint = "beyond_cascade_attractor", "an impact of simulated motion" as Cloud,
     }
 }
 
@@ -108,9 +108,10 @@ impl StudyFigure for BeyondCascade {
     type Shown = Cascades;
 
     fn compute(&self, study: &Study) -> Result<Cascades, StudyError> {
-        let found: Vec<&Resonance> = study.diagram()?.unfolding().map(|(resonance, _)| resonance).collect();
+        let found: Vec<&FoundResonance> =
+            study.diagram()?.unfolding().map(|(resonance, _)| resonance).collect();
         let onsets: Vec<Onsets> = found.par_iter().map(|resonance| Onsets::of(resonance)).collect();
-        let mut chosen: Vec<(&Resonance, &Onsets)> = Vec::new();
+        let mut chosen: Vec<(&FoundResonance, &Onsets)> = Vec::new();
         for (resonance, onsets) in found.into_iter().zip(&onsets).filter(|(_, at)| !at.leaves.is_nan()) {
             let weight = |onsets: &Onsets| onsets.point.limit_map().numbers()[2].abs();
             match chosen.iter_mut().find(|(other, _)| other.loops == resonance.loops) {
@@ -122,7 +123,7 @@ impl StudyFigure for BeyondCascade {
         let [far, near] = self.sizes;
         let all = chosen.iter().flat_map(|found| [far, near, 0.0].map(|size| (*found, size)));
         let numbered: Vec<_> = (1..).zip(all).collect();
-        let panel = |&(panel, ((resonance, _), size)): &(u32, ((&Resonance, _), f64))| CascadePanel {
+        let panel = |&(panel, ((resonance, _), size)): &(u32, ((&FoundResonance, _), f64))| CascadePanel {
             panel,
             loops: resonance.loops,
             n: resonance.n,
@@ -143,7 +144,7 @@ impl StudyFigure for BeyondCascade {
 }
 
 impl Onsets {
-    fn of(resonance: &Resonance) -> Self {
+    fn of(resonance: &FoundResonance) -> Self {
         let point = *resonance.located.resonant_point();
         let map = point.limit_map();
         let cascade = Cascade::of(&map, 4);
@@ -183,7 +184,12 @@ fn leaves(map: &LimitMap) -> f64 {
 
 /// (μ, y) of impacts in units of their values at the period doubling, as μ decreases: of the system at
 /// the distance from the resonance that corresponds to `size`, or of the limit map if `size` is 0.
-fn followed(resonance: &Resonance, size: f64, [highest, lowest]: [f64; 2], values: u32) -> Vec<[f64; 2]> {
+fn followed(
+    resonance: &FoundResonance,
+    size: f64,
+    [highest, lowest]: [f64; 2],
+    values: u32,
+) -> Vec<[f64; 2]> {
     let point = resonance.located.resonant_point();
     let (map, scale) = (point.limit_map(), point.limit_scale());
     let [velocity, parameter] = map.period_doubling();

@@ -104,7 +104,8 @@ tables! {
         /// What leaves them.
         curves: LaterPoint = "beyond_generations_curves", "a point of a curve of solutions with several impacts",
         /// Where solutions with several impacts are stable.
-        regions: SequenceVertex = "beyond_generations_regions", "a vertex of a region of stability of solutions with several impacts",
+        regions: SequenceVertex = "beyond_generations_regions",
+            "a vertex of a region of stability of solutions with several impacts" as Areas,
         /// Magnified.
         magnified: LaterMagnified = "beyond_generations_magnified", "a point of a curve in a magnification",
         ;

@@ -7,8 +7,8 @@ use core::slice;
 
 use grazing_certify::ball::Ball;
 use grazing_certify::prove;
-use grazing_certify::resonance::Resonance;
-use grazing_certify::row::{Row, Verdict};
+use grazing_certify::resonance::EnclosedResonance;
+use grazing_certify::row::{CertificateRow, IntervalVerdict};
 use grazing_certify::statement::{Decimal, Statement};
 use grazing_certify::summary::{self, ends, sentence, stretches};
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
@@ -127,7 +127,8 @@ impl StudyFigure for BeyondProofs {
         );
         progress.end(what);
         let window = figure.window();
-        let undecided = stretches(&rows).filter(|rows| matches!(rows[0].verdict, Verdict::Undecided(_)));
+        let undecided =
+            stretches(&rows).filter(|rows| matches!(rows[0].verdict, IntervalVerdict::Undecided(_)));
         Ok(Proofs {
             items: items::items(study, &statement, &rows)?,
             ends: all_ends(&statement, &rows, window.secondary),
@@ -185,9 +186,12 @@ pub fn statement(parameters: &Parameters) -> Result<Statement, StudyError> {
 }
 
 /// The runs of consecutive rows with stable admissible motion.
-fn runs(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
-    let moves = |row: &Row| matches!(row.verdict, Verdict::Stable | Verdict::Point("GZ-GZ" | "GZ-PD"));
-    let together = move |a: &Row, b: &Row| a.interval.p == b.interval.p && moves(a) && moves(b);
+fn runs(rows: &[CertificateRow]) -> impl Iterator<Item = &[CertificateRow]> {
+    let moves = |row: &CertificateRow| {
+        matches!(row.verdict, IntervalVerdict::Stable | IntervalVerdict::Point("GZ-GZ" | "GZ-PD"))
+    };
+    let together =
+        move |a: &CertificateRow, b: &CertificateRow| a.interval.p == b.interval.p && moves(a) && moves(b);
     rows.chunk_by(together).filter(move |run| moves(&run[0]))
 }
 
@@ -199,7 +203,7 @@ fn begins_at(statement: &Statement, p: i64, nu: Ball) -> Bifurcation {
 
 /// The amplitudes at which motion begins and ends, at the middle of each interval and at the ends of each
 /// run.
-fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) -> Vec<ProofEnds> {
+fn all_ends(statement: &Statement, rows: &[CertificateRow], [lowest, highest]: [f64; 2]) -> Vec<ProofEnds> {
     let mut all: Vec<ProofEnds> = (0..=SAMPLES)
         .map(|k| {
             let omega = lowest + f64::from(k) / f64::from(SAMPLES) * (highest - lowest);
@@ -230,7 +234,7 @@ fn all_ends(statement: &Statement, rows: &[Row], [lowest, highest]: [f64; 2]) ->
 }
 
 /// The tubes near the first point of each kind, and the box of the point.
-fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagnified> {
+fn magnified(statement: &Statement, rows: &[CertificateRow], panels: u32) -> Vec<ProofMagnified> {
     use CodimensionTwo::{GrazingGrazing, PeriodDoublingGrazing, SaddleNodeGrazing};
     let of = |kind: CodimensionTwo| {
         let mut points = summary::points(statement, rows);
@@ -262,7 +266,7 @@ fn magnified(statement: &Statement, rows: &[Row], panels: u32) -> Vec<ProofMagni
         let of_p: Vec<_> = runs(rows).filter(|run| run[0].interval.p == p).collect();
         for (arc, run) in (1..).zip(of_p) {
             let reach = 8.0 * (high - low);
-            let clamped = |(one, nu): (&Row, Ball)| {
+            let clamped = |(one, nu): (&CertificateRow, Ball)| {
                 let omega = statement.oscillator.omega_1_over(nu).to_f64();
                 let shown = omega.clamp(secondary - reach, secondary + reach);
                 let nu =

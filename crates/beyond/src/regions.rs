@@ -42,7 +42,7 @@ tables! {
     /// The regions in which p-loop MPSs are admissible.
     Regions {
         /// The levels are ordered by p and m, and for each region from its lowest determinant to 1.
-        levels: RegionLevel = "beyond_regions", "a region at one determinant",
+        levels: RegionLevel = "beyond_regions", "a region at one determinant" as Areas,
     }
 }
 

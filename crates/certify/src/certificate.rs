@@ -1,8 +1,8 @@
 //! The certificate as text: the statement, and a row for each interval with its witnesses. The README in
 //! `expected/certificate/` explains the columns.
 
-use crate::resonance::{NAMES, Resonance};
-use crate::row::{Block, Clearance, Row, Verdict, Witness};
+use crate::resonance::{EnclosedResonance, NAMES};
+use crate::row::{Block, CertificateRow, Clearance, IntervalVerdict, Witness};
 use crate::statement::{Statement, WIDTH_PLACES};
 
 /// The columns of `rows.csv`.
@@ -27,21 +27,22 @@ fn clearance(Clearance { cells, start, end, blocks, .. }: &Clearance) -> String 
 }
 
 /// The text of `rows.csv`.
-pub fn rows(rows: &[Row]) -> String {
-    let line = |Row { interval, verdict, lower, upper, touch, clearance: clear }: &Row| {
-        let (word, reason) = match *verdict {
-            Verdict::Stable => ("stable", String::new()),
-            Verdict::None => ("none", String::new()),
-            Verdict::Thin => ("thin", String::new()),
-            Verdict::Point(name) => (name, String::new()),
-            Verdict::Undecided(reason) => ("undecided", reason.to_string()),
+pub fn rows(rows: &[CertificateRow]) -> String {
+    let line =
+        |CertificateRow { interval, verdict, lower, upper, touch, clearance: clear }: &CertificateRow| {
+            let (word, reason) = match *verdict {
+                IntervalVerdict::Stable => ("stable", String::new()),
+                IntervalVerdict::None => ("none", String::new()),
+                IntervalVerdict::Thin => ("thin", String::new()),
+                IntervalVerdict::Point(name) => (name, String::new()),
+                IntervalVerdict::Undecided(reason) => ("undecided", reason.to_string()),
+            };
+            let place = [interval.p, interval.left, interval.level.into(), interval.base as i64];
+            let place = place.map(|number| number.to_string()).join(",");
+            let witnesses = [cells(*lower), cells(*upper), cells(*touch)].join(",");
+            let clear = clear.as_ref().map_or_else(|| ",,,".to_owned(), clearance);
+            [&place, word, &witnesses, &clear, &reason].join(",")
         };
-        let place = [interval.p, interval.left, interval.level.into(), interval.base as i64];
-        let place = place.map(|number| number.to_string()).join(",");
-        let witnesses = [cells(*lower), cells(*upper), cells(*touch)].join(",");
-        let clear = clear.as_ref().map_or_else(|| ",,,".to_owned(), clearance);
-        [&place, word, &witnesses, &clear, &reason].join(",")
-    };
     lines(COLUMNS, rows.iter().map(line))
 }
 
@@ -66,8 +67,8 @@ pub fn statement(statement: &Statement, points: usize, resonances: &str, rows: &
 }
 
 /// The text of `resonances.csv`: the certain digits of each number, at most twenty.
-pub fn resonances(resonances: &[Resonance]) -> String {
-    let line = |found: &Resonance| {
+pub fn resonances(resonances: &[EnclosedResonance]) -> String {
+    let line = |found: &EnclosedResonance| {
         let numbers = found.numbers.map(|number| number.to_string()).join(",");
         format!("{},{},{numbers},{}", found.p, found.n, found.missing.join("; "))
     };

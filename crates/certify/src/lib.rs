@@ -19,7 +19,7 @@ pub mod summary;
 
 use rayon::prelude::*;
 
-use row::{Base, Interval, Row};
+use row::{Base, CertificateRow, Interval};
 use search::rows;
 use statement::Statement;
 
@@ -34,7 +34,7 @@ pub fn prove(
     begin: impl Fn(u64),
     step: impl Fn() + Sync,
     stopped: impl Fn() -> bool + Sync,
-) -> Vec<Row> {
+) -> Vec<CertificateRow> {
     let [lowest, highest] =
         statement.frequency.map(|frequency| statement.oscillator.omega_1_over(frequency.ball()));
     let parts = libm::scalbn(1.0, COARSEST as i32);

@@ -21,7 +21,7 @@ pub struct Oscillator {
 
 /// The motions with one impact in p periods at one ν, which differ only in `v`.
 #[derive(Debug, Clone, Copy)]
-pub struct Family<N> {
+pub struct MotionFamily<N> {
     /// `ω₁/ω`.
     pub nu: N,
     /// The coefficient of the free part's cosine, for `v = 1`.
@@ -41,7 +41,7 @@ pub struct Family<N> {
 /// A motion of a family:
 /// `x(θ) = −1 + f₁ cos θ + f₂ sin θ + e^(−kνθ) (h₁ cos νθ + h₂ sin νθ)`.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion<N> {
+pub struct ClosedFormMotion<N> {
     /// `ω₁/ω`.
     pub nu: N,
     /// `f₁ = 1 − c v` and `f₂ = −w v`.
@@ -74,7 +74,7 @@ impl Oscillator {
     }
 
     /// The motions with one impact in `p` periods.
-    pub fn family<N: Number>(&self, p: i64, nu: N) -> Family<N> {
+    pub fn family<N: Number>(&self, p: i64, nu: N) -> MotionFamily<N> {
         let [one, k, epsilon] = [Ball::ONE, self.decay, self.epsilon].map(N::from);
         let (decay, sine, cosine) = self.free(nu, Ball::from(p).into());
         let (x, z) = (one - decay * cosine, decay * sine);
@@ -86,12 +86,16 @@ impl Oscillator {
         let determinant = epsilon * epsilon * decay * decay;
         let big_p = delta * (c * c + w * w);
         let big_q = (one + determinant) + (one + determinant) - big_p;
-        Family { nu, c, e, w, b: c * delta, big_p, big_q }
+        MotionFamily { nu, c, e, w, b: c * delta, big_p, big_q }
     }
 
     /// The distance of the motion from the wall, `−x`, and its first derivatives in θ.
-    pub fn distance<N: Number, const ORDERS: usize>(&self, motion: &Motion<N>, turns: N) -> [N; ORDERS] {
-        let &Motion { nu, mut forced, mut free } = motion;
+    pub fn distance<N: Number, const ORDERS: usize>(
+        &self,
+        motion: &ClosedFormMotion<N>,
+        turns: N,
+    ) -> [N; ORDERS] {
+        let &ClosedFormMotion { nu, mut forced, mut free } = motion;
         let (k, mut constant) = (N::from(self.decay), N::from(Ball::ONE));
         let (decay, free_sine, free_cosine) = self.free(nu, turns);
         let (sine, cosine) = turns.turn();
@@ -116,26 +120,26 @@ impl Oscillator {
     }
 
     /// `A_graz² (c² + w²)`, an upper bound of the square of `dA/dv`.
-    pub fn steepness_square<N: Number>(&self, Family { nu, c, w, .. }: &Family<N>) -> N {
+    pub fn steepness_square<N: Number>(&self, MotionFamily { nu, c, w, .. }: &MotionFamily<N>) -> N {
         self.grazing_square(*nu) * (*c * *c + *w * *w)
     }
 
     /// The square of the amplitude at which the motion has this velocity: `A² = A_graz² (f₁² + f₂²)`.
-    pub fn amplitude_square<N: Number>(&self, motion: &Motion<N>) -> N {
+    pub fn amplitude_square<N: Number>(&self, motion: &ClosedFormMotion<N>) -> N {
         let [cosine, sine] = motion.forced;
         self.grazing_square(motion.nu) * (cosine * cosine + sine * sine)
     }
 }
 
-impl<N: Number> Family<N> {
+impl<N: Number> MotionFamily<N> {
     /// The velocity at which a multiplier is 1 or −1.
     pub fn velocity_at(&self, multiplier: i8) -> N {
         if multiplier > 0 { self.b * self.big_p.inverse() } else { -(self.b * self.big_q.inverse()) }
     }
 
     /// The motion with velocity `v` at impact.
-    pub fn motion(&self, v: N) -> Motion<N> {
+    pub fn motion(&self, v: N) -> ClosedFormMotion<N> {
         let free = [self.c * v, self.e * v];
-        Motion { nu: self.nu, forced: [N::from(Ball::ONE) - free[0], -(self.w * v)], free }
+        ClosedFormMotion { nu: self.nu, forced: [N::from(Ball::ONE) - free[0], -(self.w * v)], free }
     }
 }

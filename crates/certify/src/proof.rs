@@ -4,18 +4,18 @@
 use core::array::from_fn;
 
 use crate::ball::{Ball, Number};
-use crate::orbit::{Family, Motion};
-use crate::row::{Base, Block, Clearance, Interval, Row, Verdict, WITNESS_BITS, Witness};
+use crate::orbit::{ClosedFormMotion, MotionFamily};
+use crate::row::{Base, Block, CertificateRow, Clearance, Interval, IntervalVerdict, WITNESS_BITS, Witness};
 use crate::series::Series;
 use crate::statement::Statement;
 
 /// The motions with one impact over an interval of ν, as functions of ν.
-pub struct Model<'a> {
+pub struct IntervalMotions<'a> {
     /// The statement to be proved.
     pub statement: &'a Statement,
     /// The interval.
     pub interval: Interval,
-    family: Family<Series>,
+    family: MotionFamily<Series>,
     /// The offset `u = ν − m` from the base m.
     offset: Series,
 }
@@ -33,7 +33,7 @@ const FINEST_UNIT: u32 = 16;
 /// in each cell, by Taylor's theorem, where the ranges of its coefficients are not enough.
 const CELLS: [(i64, bool); 4] = [(64, false), (64, true), (256, true), (1024, true)];
 
-impl<'a> Model<'a> {
+impl<'a> IntervalMotions<'a> {
     /// The motions over an interval.
     pub fn over(statement: &'a Statement, interval: Interval) -> Self {
         Self::new(statement, interval, [interval.origin(), interval.all()])
@@ -80,7 +80,7 @@ impl<'a> Model<'a> {
 
     /// Completes a row with the verdict that its witnesses prove, or returns none; `nearest` guesses when
     /// motion with velocity `lower` is nearest to the wall in a block.
-    pub fn prove(&self, row: Row, nearest: &Guess<'_>) -> Option<Row> {
+    pub fn prove(&self, row: CertificateRow, nearest: &Guess<'_>) -> Option<CertificateRow> {
         let [lower, upper] = [row.lower, row.upper].map(|side| side.map(|side| self.witness(side)));
         let clearance = |velocities| {
             CELLS.into_iter().find_map(|(cells, closely)| self.clearance(velocities, cells, closely, nearest))
@@ -88,7 +88,7 @@ impl<'a> Model<'a> {
         if self.interval.base != Base::Middle && (self.interval.p == 1 || !self.crosses_at_resonance()) {
             return None;
         }
-        if row.verdict == Verdict::Thin {
+        if row.verdict == IntervalVerdict::Thin {
             let thin = self.is_narrow([0; 3], row.upper?) && self.beyond(upper?, row.touch?, 2);
             return thin.then_some(row);
         }
@@ -108,7 +108,7 @@ impl<'a> Model<'a> {
                 }
                 _ => false,
             };
-            return none.then_some(Row { verdict: Verdict::None, ..row });
+            return none.then_some(CertificateRow { verdict: IntervalVerdict::None, ..row });
         };
         let [b, below, above] = self.conditions(lower);
         let stable = below.is_positive() && above.is_positive();
@@ -116,7 +116,11 @@ impl<'a> Model<'a> {
             let ends = self.leaves(lower) || self.end_below(lower).is_some();
             let begins = stable || (b.is_positive() && below.is_positive());
             let clearance = (begins && ends).then(|| clearance([lower; 2]))??;
-            return Some(Row { verdict: Verdict::Stable, clearance: Some(clearance), ..row });
+            return Some(CertificateRow {
+                verdict: IntervalVerdict::Stable,
+                clearance: Some(clearance),
+                ..row
+            });
         };
         let fine = self.interval.level >= FINE;
         let proved =
@@ -124,21 +128,22 @@ impl<'a> Model<'a> {
         let clearance = proved.then(|| clearance([lower, upper]))??;
         let [_, _, above] = self.conditions(upper);
         let verdict = match (stable, above.is_positive(), clearance.open) {
-            (true, true, 1) => Verdict::Stable,
-            (true, true, 2) => Verdict::Point("GZ-GZ"),
-            (true, false, 1) if b.is_positive() => Verdict::Point("GZ-PD"),
-            (false, true, 1) if b.is_positive() => Verdict::Point("SN-GZ"),
-            (false, _, 1) if b.is_negative() => Verdict::Point("PD-GZ"),
+            (true, true, 1) => IntervalVerdict::Stable,
+            (true, true, 2) => IntervalVerdict::Point("GZ-GZ"),
+            (true, false, 1) if b.is_positive() => IntervalVerdict::Point("GZ-PD"),
+            (false, true, 1) if b.is_positive() => IntervalVerdict::Point("SN-GZ"),
+            (false, _, 1) if b.is_negative() => IntervalVerdict::Point("PD-GZ"),
             _ => return None,
         };
-        let holds = verdict == Verdict::Stable || (fine && self.is_point(verdict, row.upper?, &clearance));
-        holds.then_some(Row { verdict, clearance: Some(clearance), ..row })
+        let holds =
+            verdict == IntervalVerdict::Stable || (fine && self.is_point(verdict, row.upper?, &clearance));
+        holds.then_some(CertificateRow { verdict, clearance: Some(clearance), ..row })
     }
 
     /// Whether a row has a point that may be in the window or beyond it.
-    pub fn is_on_edge(&self, row: &Row) -> bool {
+    pub fn is_on_edge(&self, row: &CertificateRow) -> bool {
         let place = || row.lower.and_then(|lower| self.is_in_window(lower));
-        matches!(row.verdict, Verdict::Point(_)) && place().is_none()
+        matches!(row.verdict, IntervalVerdict::Point(_)) && place().is_none()
     }
 
     /// Whether the point of a row is in the window; nothing if that is not known. Its velocity is between
@@ -161,7 +166,7 @@ impl<'a> Model<'a> {
 
     /// The number `b`, and the left sides of the conditions of stability `P v − b > 0` and `Q v + b > 0`.
     fn conditions(&self, v: Series) -> [Ball; 3] {
-        let Family { b, big_p, big_q, .. } = self.family;
+        let MotionFamily { b, big_p, big_q, .. } = self.family;
         [b, big_p * v - b, big_q * v + b].map(|function| self.values(function, 1))
     }
 
@@ -216,20 +221,20 @@ impl<'a> Model<'a> {
     }
 
     /// Bounds for the motions with velocities from one to another, over all ν of the interval.
-    fn motion(&self, velocities: [Series; 2]) -> Motion<Ball> {
+    fn motion(&self, velocities: [Series; 2]) -> ClosedFormMotion<Ball> {
         let all = velocities.map(|v| {
-            let Motion { forced, free, .. } = self.family.motion(v);
+            let ClosedFormMotion { forced, free, .. } = self.family.motion(v);
             [forced, free].map(|parts| parts.map(|function| self.values(function, 0)))
         });
         let [forced, free] = [0, 1].map(|i| [0, 1].map(|j| Ball::between(all[0][i][j], all[1][i][j])));
-        Motion { nu: self.interval.all(), forced, free }
+        ClosedFormMotion { nu: self.interval.all(), forced, free }
     }
 
     /// Bounds of the distance from the wall and of its first two derivatives in θ, in one cell of time, from
     /// those at its middle.
     fn cell(
         &self,
-        motion: &Motion<Ball>,
+        motion: &ClosedFormMotion<Ball>,
         [value, first, second]: [Ball; 3],
         middle: Ball,
         cells: i64,
@@ -331,10 +336,10 @@ impl<'a> Model<'a> {
     /// at exactly one ν. The events are contact in a block, and either contact in another block or the
     /// beginning or end of stability (`None`). Contact in a block occurs at the least of the velocities at
     /// its times, which changes at the rate of the velocity at a time of contact.
-    fn is_point(&self, verdict: Verdict, upper: Witness<3>, clearance: &Clearance) -> bool {
+    fn is_point(&self, verdict: IntervalVerdict, upper: Witness<3>, clearance: &Clearance) -> bool {
         let Clearance { cells, blocks, open, .. } = clearance;
         let (one, two) = (&blocks[0], blocks[..*open].get(1));
-        let multiplier = if verdict == Verdict::Point("SN-GZ") { 1 } else { -1 };
+        let multiplier = if verdict == IntervalVerdict::Point("SN-GZ") { 1 } else { -1 };
         let limit = |model: &Self| model.family.velocity_at(multiplier);
         let rate = |event: Option<&Block>| {
             let velocity = event.map_or_else(|| limit(self), |block| self.contact(block.contact.into()));

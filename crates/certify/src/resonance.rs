@@ -14,7 +14,7 @@ pub const NAMES: [&str; 7] =
 
 /// A resonance, with proved enclosures of its numbers.
 #[derive(Debug, Clone)]
-pub struct Resonance {
+pub struct EnclosedResonance {
     /// The number of loops p.
     pub p: u32,
     /// The index n.
@@ -26,7 +26,7 @@ pub struct Resonance {
     pub missing: Vec<&'static str>,
 }
 
-impl Resonance {
+impl EnclosedResonance {
     /// The resonance with index `n`: `ν = n/2` for p = 1, `n + 1/(2p)` for p ≥ 2 (`eq:resonance1`,
     /// `eq:resonancep`), with the coefficients of Propositions 3.2 and 3.3 (`eq:impFormula1odd`,
     /// `eq:impFormula1even`, `eq:impFormulap`).

@@ -166,7 +166,7 @@ impl fmt::Display for Reason {
 /// The statement that holds for every ν of an interval. `v_GZ` is the velocity up to which motion is
 /// admissible, `v_min` the velocity above which it is stable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum IntervalVerdict {
     /// `v_min < v_GZ`: stable admissible motion exists in an interval of amplitudes.
     Stable,
     /// No motion in the window is stable and admissible: `v_GZ < v_min`, or motion becomes stable beyond
@@ -185,11 +185,11 @@ pub enum Verdict {
 
 /// An interval with its verdict and witnesses.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Row {
+pub struct CertificateRow {
     /// The interval.
     pub interval: Interval,
     /// The statement that holds in the interval.
-    pub verdict: Verdict,
+    pub verdict: IntervalVerdict,
     /// A velocity below `v_GZ`.
     pub lower: Option<Witness<3>>,
     /// A velocity above `v_GZ`. If it is missing, stable motion at `lower` is beyond the window or ends
@@ -202,9 +202,9 @@ pub struct Row {
     pub clearance: Option<Clearance>,
 }
 
-impl Row {
+impl CertificateRow {
     /// A row without witnesses.
-    pub fn new(interval: Interval, verdict: Verdict) -> Self {
+    pub fn new(interval: Interval, verdict: IntervalVerdict) -> Self {
         Self { interval, verdict, lower: None, upper: None, touch: None, clearance: None }
     }
 }

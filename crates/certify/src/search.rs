@@ -1,11 +1,11 @@
-//! Searches, in floating point, for the rows and witnesses that [`Model`] then proves.
+//! Searches, in floating point, for the rows and witnesses that [`IntervalMotions`] then proves.
 
 use std::collections::VecDeque;
 
 use crate::ball::{Ball, Number};
-use crate::orbit::{Family, Oscillator};
-use crate::proof::{FINE, Model};
-use crate::row::{Base, Interval, Reason, Row, Verdict, WITNESS_BITS, Witness};
+use crate::orbit::{MotionFamily, Oscillator};
+use crate::proof::{FINE, IntervalMotions};
+use crate::row::{Base, CertificateRow, Interval, IntervalVerdict, Reason, WITNESS_BITS, Witness};
 use crate::statement::Statement;
 
 /// Intervals are halved down to width `2^-FINEST`.
@@ -25,7 +25,7 @@ const MOST_TRIED: u32 = 6_000;
 /// The motions at one ν, in floating point.
 struct Sight {
     nu: f64,
-    family: Family<f64>,
+    family: MotionFamily<f64>,
     /// The velocity above which motion is stable.
     limit: f64,
     /// The velocity above which motion is no longer stable; infinite if there is none.
@@ -68,12 +68,12 @@ impl Sight {
 }
 
 /// The maxima of `psi/(1 - cos)` between impacts: the inverse of each, and its time.
-fn contacts(oscillator: &Oscillator, p: i64, family: &Family<f64>) -> Vec<[f64; 2]> {
+fn contacts(oscillator: &Oscillator, p: i64, family: &MotionFamily<f64>) -> Vec<[f64; 2]> {
     // ψ, less what rounding may add to it, so that rounding is never taken for contact.
     let psi = |turns: f64| {
         let (decay, free_sine, free_cosine) = oscillator.free(family.nu, turns);
         let (sine, cosine) = turns.turn();
-        let Family { c, e, w, .. } = family;
+        let MotionFamily { c, e, w, .. } = family;
         let terms = [decay * c * free_cosine, decay * e * free_sine, -(c * cosine), -(w * sine)];
         let sum = |part: fn(f64) -> f64| terms.into_iter().map(part).fold(0.0, |sum, term| sum + term);
         sum(|term| term) - 4.0 * f64::EPSILON * sum(f64::abs)
@@ -117,7 +117,7 @@ fn witness(x: f64) -> i128 {
 
 /// The search over one interval.
 struct Attempt<'a> {
-    model: Model<'a>,
+    model: IntervalMotions<'a>,
     sights: [Sight; 3],
 }
 
@@ -129,7 +129,7 @@ impl<'a> Attempt<'a> {
             let nu = 0.5 * (left + right) + node * 0.5 * (right - left);
             Sight::new(&statement.oscillator, interval.p, nu)
         });
-        Self { model: Model::over(statement, interval), sights }
+        Self { model: IntervalMotions::over(statement, interval), sights }
     }
 
     /// The polynomial through values at the three nodes. If the base is at a resonance, where velocities
@@ -177,47 +177,50 @@ impl<'a> Attempt<'a> {
     }
 
     /// The row, if one can be proved at this width.
-    fn row(&self) -> Option<Row> {
+    fn row(&self) -> Option<CertificateRow> {
         self.best_row()
             .or_else(|| self.all(|sight| sight.graze().max(sight.limit) < SLOW).then(|| self.thin_row())?)
     }
 
     /// The row that states least: that stable admissible motion is next to the grazing curve, if there is
     /// any.
-    fn thin_row(&self) -> Option<Row> {
-        let row = Row::new(self.model.interval, Verdict::Thin);
+    fn thin_row(&self) -> Option<CertificateRow> {
+        let row = CertificateRow::new(self.model.interval, IntervalVerdict::Thin);
         let slopes = self.at_sights(|sight| self.model.statement.oscillator.steepness_square(&sight.family));
         let values = slopes.map(|square| 0.45 * Statement::width().to_f64() / square.sqrt());
         let in_middle = self.sights[1].contacts[0][1];
         let touch = self.nearest(values, [in_middle - 0.125, in_middle + 0.125]);
-        let row = Row { upper: Some(self.polynomial(values, 0.0)), touch: Some(touch), ..row };
+        let row = CertificateRow { upper: Some(self.polynomial(values, 0.0)), touch: Some(touch), ..row };
         (0..3).all(|i| self.sights[i].graze() < 0.5 * values[i]).then(|| self.model.prove(row, &|_| touch))?
     }
 
     /// The row that states where motion exists, if one can be proved; guesses at the nearest approach to
     /// the wall use velocities `low`.
-    fn best_row(&self) -> Option<Row> {
-        let row = Row::new(self.model.interval, Verdict::None);
+    fn best_row(&self) -> Option<CertificateRow> {
+        let row = CertificateRow::new(self.model.interval, IntervalVerdict::None);
         let prove = |row, low| self.model.prove(row, &|stretch| self.nearest(low, stretch));
         let (in_middle, none) = (self.sights[1].contacts[0][1], [0.0; 3]);
         if self.all(|sight| sight.graze() == 0.0) {
-            return prove(Row { touch: Some([witness(in_middle), 0]), ..row }, none);
+            return prove(CertificateRow { touch: Some([witness(in_middle), 0]), ..row }, none);
         }
         if self.all(|sight| sight.graze() < sight.limit) {
             let values = self.at_sights(Sight::between);
             let touch = self.nearest(values, [in_middle - 0.125, in_middle + 0.125]);
-            return prove(Row { upper: Some(self.polynomial(values, 0.0)), touch: Some(touch), ..row }, none);
+            return prove(
+                CertificateRow { upper: Some(self.polynomial(values, 0.0)), touch: Some(touch), ..row },
+                none,
+            );
         }
         let edges = self.at_sights(|sight| self.edge(sight));
         if (0..3).all(|i| self.sights[i].limit > 2.0 * edges[i]) {
-            return prove(Row { upper: Some(self.polynomial(edges, 0.0)), ..row }, none);
+            return prove(CertificateRow { upper: Some(self.polynomial(edges, 0.0)), ..row }, none);
         }
         let last = core::array::from_fn(|i| self.sights[i].last(edges[i]));
         if (0..3).all(|i| self.sights[i].graze() > last[i]) {
-            return prove(Row { lower: Some(self.polynomial(last, 0.0)), ..row }, last);
+            return prove(CertificateRow { lower: Some(self.polynomial(last, 0.0)), ..row }, last);
         }
         let ([lower, upper], touch, low) = self.tube()?;
-        prove(Row { lower: Some(lower), upper: Some(upper), touch: Some(touch), ..row }, low)
+        prove(CertificateRow { lower: Some(lower), upper: Some(upper), touch: Some(touch), ..row }, low)
     }
 
     /// A velocity from which on amplitudes are beyond the window.
@@ -231,7 +234,7 @@ impl<'a> Attempt<'a> {
     /// contact and the values of the lower velocity.
     fn tube(&self) -> Option<([Witness<3>; 2], Witness<2>, [f64; 3])> {
         let in_middle = self.sights[1].contacts[0][1];
-        let Model { statement, interval, .. } = self.model;
+        let IntervalMotions { statement, interval, .. } = self.model;
         let (fine, stable) = (interval.level >= FINE, self.all(|sight| sight.graze() > sight.limit));
         // At a codimension-two point one contact is followed, even if another occurs earlier, by at most
         // `excess`.
@@ -277,10 +280,10 @@ impl<'a> Attempt<'a> {
 
 /// The rows that tile an interval. The widest intervals are tried first, so that what remains undecided
 /// is narrow; no more are tried once `stopped`.
-pub fn rows(statement: &Statement, whole: Interval, stopped: &dyn Fn() -> bool) -> Vec<Row> {
+pub fn rows(statement: &Statement, whole: Interval, stopped: &dyn Fn() -> bool) -> Vec<CertificateRow> {
     let (mut waiting, mut rows, mut tried) = (VecDeque::from([whole]), Vec::new(), 0);
     while let Some(interval) = waiting.pop_front() {
-        let undecided = |reason| Row::new(interval, Verdict::Undecided(reason));
+        let undecided = |reason| CertificateRow::new(interval, IntervalVerdict::Undecided(reason));
         let resonance = interval.resonance().filter(|_| interval.p > 1 && interval.level >= FINE);
         let at_resonance = |base| Attempt::new(statement, Interval { base, ..interval }).row();
         rows.push(match tried {
@@ -310,14 +313,17 @@ pub fn rows(statement: &Statement, whole: Interval, stopped: &dyn Fn() -> bool) 
 }
 
 /// The rows with one in place of two halves that are undecided for the same reason.
-fn joined(rows: Vec<Row>) -> Vec<Row> {
-    let mut joined: Vec<Row> = Vec::new();
+fn joined(rows: Vec<CertificateRow>) -> Vec<CertificateRow> {
+    let mut joined: Vec<CertificateRow> = Vec::new();
     for mut row in rows {
         while let Some(before) = joined.last() {
             let Interval { left, level, .. } = before.interval;
             let whole = Interval { left: left >> 1, level: level.saturating_sub(1), ..before.interval };
             let halves = level > 0 && whole.halves() == [before.interval, row.interval];
-            if !(halves && matches!(row.verdict, Verdict::Undecided(_)) && row.verdict == before.verdict) {
+            if !(halves
+                && matches!(row.verdict, IntervalVerdict::Undecided(_))
+                && row.verdict == before.verdict)
+            {
                 break;
             }
             row.interval = whole;

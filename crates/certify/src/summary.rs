@@ -3,13 +3,13 @@
 use core::iter;
 
 use crate::ball::Ball;
-use crate::proof::Model;
-use crate::resonance::{NAMES, Resonance};
-use crate::row::{Interval, Row, Verdict};
+use crate::proof::IntervalMotions;
+use crate::resonance::{EnclosedResonance, NAMES};
+use crate::row::{CertificateRow, Interval, IntervalVerdict};
 use crate::statement::{Statement, WIDTH_PLACES};
 
 /// The row for a number of loops whose interval contains a ν.
-pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
+pub fn row_at(rows: &[CertificateRow], p: i64, nu: Ball) -> Option<&CertificateRow> {
     rows.iter().find(|row| {
         let [left, right] = row.interval.ends();
         row.interval.p == p && !(left - nu).is_positive() && !(nu - right).is_positive()
@@ -19,8 +19,8 @@ pub fn row_at(rows: &[Row], p: i64, nu: Ball) -> Option<&Row> {
 /// The amplitude at which stable motion begins at one ν, and two amplitudes between which it ends; the
 /// second is missing where motion continues to the window's edge. Nothing where there is no stable
 /// motion.
-pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, Option<Ball>)> {
-    let (model, lower) = (Model::at(statement, row.interval, nu), row.lower?);
+pub fn ends(statement: &Statement, row: &CertificateRow, nu: Ball) -> Option<(Ball, Ball, Option<Ball>)> {
+    let (model, lower) = (IntervalMotions::at(statement, row.interval, nu), row.lower?);
     let side = |side| model.amplitude(model.witness(side));
     let begins = model.amplitude(model.limit());
     Some(match (row.upper, model.end_below(model.witness(lower))) {
@@ -34,52 +34,53 @@ pub fn ends(statement: &Statement, row: &Row, nu: Ball) -> Option<(Ball, Ball, O
 /// meet, each with its kind.
 pub fn points<'a>(
     statement: &'a Statement,
-    rows: &'a [Row],
-) -> impl Iterator<Item = (&'static str, &'a Row)> {
+    rows: &'a [CertificateRow],
+) -> impl Iterator<Item = (&'static str, &'a CertificateRow)> {
     rows.iter().filter(|row| is_in_window(statement, row)).filter_map(|row| Some((point(row)?, row)))
 }
 
 /// The kind of a row's point; at a PD-GZ point stability begins or ends.
-fn point(row: &Row) -> Option<&'static str> {
+fn point(row: &CertificateRow) -> Option<&'static str> {
     match row.verdict {
-        Verdict::Point("GZ-PD") => Some("PD-GZ"),
-        Verdict::Point(name) => Some(name),
+        IntervalVerdict::Point("GZ-PD") => Some("PD-GZ"),
+        IntervalVerdict::Point(name) => Some(name),
         _ => None,
     }
 }
 
 /// Whether the point of a row is proved to be in the window.
-fn is_in_window(statement: &Statement, row: &Row) -> bool {
-    let Row { interval, lower, .. } = *row;
+fn is_in_window(statement: &Statement, row: &CertificateRow) -> bool {
+    let CertificateRow { interval, lower, .. } = *row;
     point(row).is_some()
-        && lower.and_then(|lower| Model::over(statement, interval).is_in_window(lower)) == Some(true)
+        && lower.and_then(|lower| IntervalMotions::over(statement, interval).is_in_window(lower))
+            == Some(true)
 }
 
 /// A range of amplitudes that contains a point: the tube, where amplitudes increase with the velocity; or
 /// the range, if narrower, of amplitudes at which stability begins. At an SN-GZ point it is the latter,
 /// from which amplitudes no longer decrease.
-pub fn amplitudes(statement: &Statement, row: &Row) -> Ball {
-    let model = Model::over(statement, row.interval);
+pub fn amplitudes(statement: &Statement, row: &CertificateRow) -> Ball {
+    let model = IntervalMotions::over(statement, row.interval);
     let side = |side: Option<_>| side.map_or(Ball::ANY, |side| model.amplitude(model.witness(side)));
     let (tube, limit) = (Ball::between(side(row.lower), side(row.upper)), model.amplitude(model.limit()));
     match row.verdict {
-        Verdict::Point("SN-GZ") => limit,
-        Verdict::Point("PD-GZ") if limit.radius() < tube.radius() => limit,
+        IntervalVerdict::Point("SN-GZ") => limit,
+        IntervalVerdict::Point("PD-GZ") if limit.radius() < tube.radius() => limit,
         _ => tube,
     }
 }
 
 /// The range of frequencies that consecutive rows cover.
-pub fn frequencies(statement: &Statement, rows: &[Row]) -> [Ball; 2] {
+pub fn frequencies(statement: &Statement, rows: &[CertificateRow]) -> [Ball; 2] {
     let ends = [rows[rows.len() - 1].interval.ends()[1], rows[0].interval.ends()[0]];
     ends.map(|nu| statement.oscillator.omega_1_over(nu))
 }
 
 /// Groups of adjacent rows with the same verdict, by decreasing frequency for each number of loops; each
 /// point is a group of its own.
-pub fn stretches(rows: &[Row]) -> impl Iterator<Item = &[Row]> {
+pub fn stretches(rows: &[CertificateRow]) -> impl Iterator<Item = &[CertificateRow]> {
     rows.chunk_by(|a, b| {
-        let point = matches!(a.verdict, Verdict::Point(_));
+        let point = matches!(a.verdict, IntervalVerdict::Point(_));
         a.interval.p == b.interval.p && a.verdict == b.verdict && !point
     })
 }
@@ -92,16 +93,16 @@ fn to_nine_places([low, high]: [Ball; 2], outwards: bool) -> [f64; 2] {
 }
 
 /// A sentence that states the proved result for a group of rows.
-pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
-    let Row { interval: Interval { p, .. }, verdict, .. } = &stretch[0];
-    let inwards = matches!(verdict, Verdict::Stable | Verdict::None | Verdict::Thin);
+pub fn sentence(statement: &Statement, stretch: &[CertificateRow]) -> String {
+    let CertificateRow { interval: Interval { p, .. }, verdict, .. } = &stretch[0];
+    let inwards = matches!(verdict, IntervalVerdict::Stable | IntervalVerdict::None | IntervalVerdict::Thin);
     let [low, high] = to_nine_places(frequencies(statement, stretch), !inwards);
     let holds = match verdict {
-        Verdict::Stable => format!(
+        IntervalVerdict::Stable => format!(
             "one stable admissible {p}-loop MPS at each A between the SN or PD curve where it becomes stable and its GZ curve, a PD curve or the window's edge, none at other A of the window"
         ),
-        Verdict::None => format!("no stable admissible {p}-loop MPS at any A of the window"),
-        Verdict::Thin => {
+        IntervalVerdict::None => format!("no stable admissible {p}-loop MPS at any A of the window"),
+        IntervalVerdict::Thin => {
             let resonance = stretch.iter().find_map(|row| row.interval.resonance_within());
             let why =
                 resonance.map_or_else(String::new, |[p, n]| format!(", at the resonance p = {p}, n = {n}"));
@@ -109,8 +110,8 @@ pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
                 "no stable admissible {p}-loop MPS at any A of the window farther than 1e-{WIDTH_PLACES} from grazing{why}; closer, nothing is stated"
             )
         }
-        Verdict::Undecided(reason) => format!("UNDECIDED, {p}-loop MPSs: {reason}"),
-        Verdict::Point(_) => {
+        IntervalVerdict::Undecided(reason) => format!("UNDECIDED, {p}-loop MPSs: {reason}"),
+        IntervalVerdict::Point(_) => {
             let name = point(&stretch[0]).unwrap_or_default();
             let place = if is_in_window(statement, &stretch[0]) { "" } else { ", beyond the window" };
             let amplitudes = amplitudes(statement, &stretch[0]);
@@ -124,18 +125,18 @@ pub fn sentence(statement: &Statement, stretch: &[Row]) -> String {
 }
 
 /// The fraction of the window, in `nu`, that is undecided.
-pub fn undecided_share(rows: &[Row]) -> f64 {
-    let width = |row: &Row| libm::scalbn(1.0, -(row.interval.level as i32));
+pub fn undecided_share(rows: &[CertificateRow]) -> f64 {
+    let width = |row: &CertificateRow| libm::scalbn(1.0, -(row.interval.level as i32));
     let all: f64 = rows.iter().map(width).sum();
-    let left = rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_)));
+    let left = rows.iter().filter(|row| matches!(row.verdict, IntervalVerdict::Undecided(_)));
     left.map(width).fold(0.0, |sum, width| sum + width) / all
 }
 
 /// What a statement about all other places of the window excepts.
-pub fn exceptions(rows: &[Row]) -> &'static str {
-    let some = |is: fn(&Verdict) -> bool| rows.iter().any(|row| is(&row.verdict));
-    let undecided = some(|verdict| matches!(verdict, Verdict::Undecided(_)));
-    match (undecided, some(|verdict| *verdict == Verdict::Thin)) {
+pub fn exceptions(rows: &[CertificateRow]) -> &'static str {
+    let some = |is: fn(&IntervalVerdict) -> bool| rows.iter().any(|row| is(&row.verdict));
+    let undecided = some(|verdict| matches!(verdict, IntervalVerdict::Undecided(_)));
+    match (undecided, some(|verdict| *verdict == IntervalVerdict::Thin)) {
         (false, false) => "",
         (true, false) => " outside of what is undecided",
         (false, true) => " outside of tubes at grazing in which nothing is stated",
@@ -144,7 +145,7 @@ pub fn exceptions(rows: &[Row]) -> &'static str {
 }
 
 /// Sentences that state the proved results for a resonance.
-pub fn resonance(Resonance { p, n, numbers, missing }: &Resonance) -> Vec<String> {
+pub fn resonance(EnclosedResonance { p, n, numbers, missing }: &EnclosedResonance) -> Vec<String> {
     let theorem = if *p == 1 { "2.4" } else { "2.5" };
     let holds = if missing.is_empty() {
         format!("all hypotheses of Theorem {theorem} hold")

@@ -7,9 +7,9 @@ use std::sync::LazyLock;
 
 use grazing_certify::ball::{Ball, Number};
 use grazing_certify::orbit::Oscillator;
-use grazing_certify::proof::Model;
-use grazing_certify::resonance::{NAMES, Resonance};
-use grazing_certify::row::{Base, Interval, Reason, Row, Verdict};
+use grazing_certify::proof::IntervalMotions;
+use grazing_certify::resonance::{EnclosedResonance, NAMES};
+use grazing_certify::row::{Base, CertificateRow, Interval, IntervalVerdict, Reason};
 use grazing_certify::series::Series;
 use grazing_certify::statement::{Decimal, Statement};
 use grazing_certify::{certificate, prove, summary};
@@ -23,7 +23,7 @@ static STATEMENT: LazyLock<Statement> = LazyLock::new(|| {
     Statement::new(constants, frequency, [0.0, 1.3].map(decimal), vec![1, 2, 3]).expect("under-damped")
 });
 static OSCILLATOR: LazyLock<Oscillator> = LazyLock::new(|| STATEMENT.oscillator);
-static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| prove(&STATEMENT, |_| (), || (), || false));
+static ROWS: LazyLock<Vec<CertificateRow>> = LazyLock::new(|| prove(&STATEMENT, |_| (), || (), || false));
 
 /// A pseudorandom number between 0 and 1.
 fn random(seed: &mut u64) -> f64 {
@@ -151,10 +151,10 @@ fn the_trace_is_that_of_the_saltation_matrix() {
 fn coefficients_are_those_of_the_theorems_in_floating_point() {
     let theory = LinearOscillator::new(0.02, 0.9).expect("valid");
     let frequency = STATEMENT.frequency.map(Decimal::ball);
-    let resonances = Resonance::in_window(&OSCILLATOR, &STATEMENT.loops, frequency);
+    let resonances = EnclosedResonance::in_window(&OSCILLATOR, &STATEMENT.loops, frequency);
     assert_eq!(resonances.len(), 8);
     for resonance in resonances {
-        let Resonance { p, n, .. } = resonance;
+        let EnclosedResonance { p, n, .. } = resonance;
         assert!(resonance.missing.is_empty(), "{resonance:?}");
         let point = theory.resonance(p, n).expect("a resonance");
         let theorem = point.resonant_point();
@@ -186,7 +186,7 @@ fn number(cell: &str) -> f64 {
     cell.parse().expect("a number")
 }
 
-fn row_at(p: i64, nu: Ball) -> &'static Row {
+fn row_at(p: i64, nu: Ball) -> &'static CertificateRow {
     summary::row_at(&ROWS, p, nu).expect("the window is covered")
 }
 
@@ -250,9 +250,12 @@ fn motion_that_ends_or_begins_elsewhere_is_decided() {
     let statement = Statement::new(constants, [2.05, 2.6].map(decimal), [0.0, 4.0].map(decimal), vec![1, 2]);
     let statement = statement.expect("under-damped");
     let rows = prove(&statement, |_| (), || (), || false);
-    assert!(rows.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))));
-    let points: Vec<&Row> = summary::points(&statement, &rows).map(|(_, row)| row).collect();
-    assert!(matches!(points[..], [Row { verdict: Verdict::Point("GZ-PD"), .. }]), "{points:?}");
+    assert!(rows.iter().all(|row| !matches!(row.verdict, IntervalVerdict::Undecided(_))));
+    let points: Vec<&CertificateRow> = summary::points(&statement, &rows).map(|(_, row)| row).collect();
+    assert!(
+        matches!(points[..], [CertificateRow { verdict: IntervalVerdict::Point("GZ-PD"), .. }]),
+        "{points:?}"
+    );
     // At greater frequencies motion ends at a PD velocity, in closed form; at lower ones it ends in a
     // tube. Both are tested a thousand widths away.
     let interval = points[0].interval;
@@ -261,8 +264,10 @@ fn motion_that_ends_or_begins_elsewhere_is_decided() {
         summary::row_at(&rows, interval.p, beside).expect("the window is covered").upper.is_some()
     });
     assert_eq!(ends, [false, true]);
-    let outside = |row: &&Row| row.verdict == Verdict::None && row.upper.is_some() && row.touch.is_none();
-    let outside: Vec<&Row> = rows.iter().filter(outside).collect();
+    let outside = |row: &&CertificateRow| {
+        row.verdict == IntervalVerdict::None && row.upper.is_some() && row.touch.is_none()
+    };
+    let outside: Vec<&CertificateRow> = rows.iter().filter(outside).collect();
     assert!(!outside.is_empty());
     for row in outside {
         let omega = statement.oscillator.omega_1_over(row.interval.middle());
@@ -276,23 +281,25 @@ fn motion_that_ends_or_begins_elsewhere_is_decided() {
 /// Every row of the window is decided, and a row with exchanged or missing witnesses is not proved.
 #[test]
 fn the_window_is_decided_and_what_is_false_is_refused() {
-    assert!(ROWS.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))));
+    assert!(ROWS.iter().all(|row| !matches!(row.verdict, IntervalVerdict::Undecided(_))));
     // Motion that gains energy at impacts may be unstable although its trace is small.
     let oscillator = |epsilon| Oscillator::new(STATEMENT.zeta.ball(), epsilon);
     assert!(oscillator(Ball::ONE).is_some() && oscillator(Ball::ratio(6, 5)).is_none());
     // With one loop, some tubes are at the window's edge, where an upper velocity is not needed for the
     // proof.
-    let is_tube = |row: &&Row| row.verdict == Verdict::Stable && row.upper.is_some() && row.interval.p > 1;
+    let is_tube = |row: &&CertificateRow| {
+        row.verdict == IntervalVerdict::Stable && row.upper.is_some() && row.interval.p > 1
+    };
     let tubes = ROWS.iter().filter(is_tube);
     let mut tried = 0;
     for row in tubes.step_by(17) {
-        let model = Model::over(&STATEMENT, row.interval);
+        let model = IntervalMotions::over(&STATEMENT, row.interval);
         let touch = row.touch.expect("a time at which motion is beyond the wall");
         for wrong in [
-            Row { lower: row.upper, upper: row.lower, ..row.clone() },
-            Row { lower: None, ..row.clone() },
-            Row { upper: None, ..row.clone() },
-            Row { lower: None, upper: None, ..row.clone() },
+            CertificateRow { lower: row.upper, upper: row.lower, ..row.clone() },
+            CertificateRow { lower: None, ..row.clone() },
+            CertificateRow { upper: None, ..row.clone() },
+            CertificateRow { lower: None, upper: None, ..row.clone() },
         ] {
             assert_eq!(model.prove(wrong, &|_| touch), None);
         }
@@ -342,8 +349,12 @@ fn a_point_on_the_edge_of_the_window_is_undecided() {
     for (frequency, amplitude) in [([inside, 1.02], [0.0, 1.3]), ([0.35, 1.02], [0.0, place])] {
         let nearest = |x: f64| libm::rint(x * 1e12) / 1e12;
         let cut = statement([0.02, 0.9], frequency.map(nearest), amplitude.map(nearest), &[1, 2, 3]);
-        assert_eq!(Model::over(&cut, row.interval).is_in_window(lower), None, "{frequency:?} {amplitude:?}");
-        assert!(Model::over(&cut, row.interval).is_on_edge(row));
+        assert_eq!(
+            IntervalMotions::over(&cut, row.interval).is_in_window(lower),
+            None,
+            "{frequency:?} {amplitude:?}"
+        );
+        assert!(IntervalMotions::over(&cut, row.interval).is_on_edge(row));
     }
 }
 
@@ -353,12 +364,12 @@ fn a_point_on_the_edge_of_the_window_is_undecided() {
 fn strong_damping_leaves_nothing_undecided() {
     let statement = statement([0.9, 0.3], [0.37, 0.45], [0.0, 1.3], &[1, 2, 3]);
     let rows = prove(&statement, |_| (), || (), || false);
-    let undecided: Vec<&Row> =
-        rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_))).collect();
+    let undecided: Vec<&CertificateRow> =
+        rows.iter().filter(|row| matches!(row.verdict, IntervalVerdict::Undecided(_))).collect();
     assert!(undecided.is_empty(), "{undecided:?}");
     assert!(rows.len() < 500, "{}", rows.len());
-    assert!(rows.iter().any(|row| row.verdict == Verdict::Thin));
-    assert!(rows.iter().any(|row| row.verdict == Verdict::None));
+    assert!(rows.iter().any(|row| row.verdict == IntervalVerdict::Thin));
+    assert!(rows.iter().any(|row| row.verdict == IntervalVerdict::None));
 }
 
 /// Where the time of contact changes fast, beside a PD-GZ point of weakly damped motion; where third
@@ -375,8 +386,8 @@ fn weak_and_strong_damping_are_decided_where_they_are_hardest() {
     ] {
         let statement = statement(constants, frequency, [0.0, 1.3], &[p]);
         let rows = prove(&statement, |_| (), || (), || false);
-        let undecided: Vec<&Row> =
-            rows.iter().filter(|row| matches!(row.verdict, Verdict::Undecided(_))).collect();
+        let undecided: Vec<&CertificateRow> =
+            rows.iter().filter(|row| matches!(row.verdict, IntervalVerdict::Undecided(_))).collect();
         assert!(undecided.is_empty(), "{constants:?}: {undecided:?}");
     }
 }
@@ -385,7 +396,7 @@ fn weak_and_strong_damping_are_decided_where_they_are_hardest() {
 #[test]
 fn a_number_without_a_digit_is_not_shown() {
     let [weak, strong] = [0.02, 0.9].map(|zeta| statement([zeta, 0.3], [0.37, 0.38], [0.0, 1.3], &[3]));
-    let missing = |statement: &Statement| Resonance::new(&statement.oscillator, 3, 1).missing;
+    let missing = |statement: &Statement| EnclosedResonance::new(&statement.oscillator, 3, 1).missing;
     assert_eq!(missing(&weak), Vec::<&str>::new());
     assert_eq!(missing(&strong), ["a digit of each number"]);
 }
@@ -406,8 +417,8 @@ fn resonances_are_those_of_the_right_number_of_loops() {
     // There, too, what may exist is next to the grazing curve.
     let statement = statement([0.02, 0.9], [0.79981, 0.79989], [0.0, 1.3], &[4]);
     let rows = prove(&statement, |_| (), || (), || false);
-    assert!(rows.iter().all(|row| !matches!(row.verdict, Verdict::Undecided(_))), "{rows:?}");
-    let thin = rows.iter().find(|row| row.verdict == Verdict::Thin).expect("the resonance");
+    assert!(rows.iter().all(|row| !matches!(row.verdict, IntervalVerdict::Undecided(_))), "{rows:?}");
+    let thin = rows.iter().find(|row| row.verdict == IntervalVerdict::Thin).expect("the resonance");
     assert!(summary::sentence(&statement, std::slice::from_ref(thin)).contains("p = 2, n = 1"));
 }
 
@@ -419,7 +430,7 @@ fn a_stopped_run_keeps_its_rows() {
     let stopped = || calls.fetch_add(1, std::sync::atomic::Ordering::Relaxed) >= 20;
     let [stopped, whole] =
         [prove(&statement, |_| (), || (), stopped), prove(&statement, |_| (), || (), || false)];
-    let is_left = |row: &&Row| row.verdict == Verdict::Undecided(Reason::Interruption);
+    let is_left = |row: &&CertificateRow| row.verdict == IntervalVerdict::Undecided(Reason::Interruption);
     let left = stopped.iter().filter(is_left).count();
     assert!(left > 0 && left < stopped.len(), "{left} of {}", stopped.len());
     assert!(stopped.iter().filter(|row| !is_left(row)).all(|row| whole.contains(row)));
@@ -438,11 +449,13 @@ fn no_cell_of_the_certificate_has_a_comma() {
         Reason::Number,
         Reason::Interruption,
     ];
-    let rows: Vec<Row> =
-        reasons.into_iter().map(|reason| Row::new(interval, Verdict::Undecided(reason))).collect();
+    let rows: Vec<CertificateRow> = reasons
+        .into_iter()
+        .map(|reason| CertificateRow::new(interval, IntervalVerdict::Undecided(reason)))
+        .collect();
     // An oscillator so weakly damped that nothing of its resonances is shown.
     let weak = statement([1e-9, 0.9], [0.79, 0.81], [0.0, 1.3], &[1, 2]).oscillator;
-    let resonances = [Resonance::new(&weak, 1, 2), Resonance::new(&weak, 2, 1)];
+    let resonances = [EnclosedResonance::new(&weak, 1, 2), EnclosedResonance::new(&weak, 2, 1)];
     assert!(resonances.iter().any(|resonance| !resonance.missing.is_empty()), "{resonances:?}");
     for text in [certificate::rows(&rows), certificate::resonances(&resonances)] {
         let counts: Vec<usize> = text.lines().map(|line| line.split(',').count()).collect();

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::ledger::{Claim, Test};
 use crate::outcome::Outcome;
-use crate::published::Comparison;
+use crate::published::PublishedComparison;
 
 /// The result of testing a claim.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,9 +17,9 @@ pub enum ClaimVerdict<'a> {
     /// The check could not be carried out, for this reason.
     Broken(String),
     /// Printed numbers, compared with the computed ones.
-    Numbers(Vec<Comparison<'a>>),
+    Numbers(Vec<PublishedComparison<'a>>),
     /// Parameters that the paper chooses, with those of the computation.
-    Given(Vec<Comparison<'a>>),
+    Given(Vec<PublishedComparison<'a>>),
     /// The claim cannot be tested by computation, for this reason.
     Unchecked(String),
 }
@@ -54,7 +54,7 @@ pub struct Finding<'a> {
 /// Numbers are taken from `published`; `done` is called after each check.
 pub fn audit<'a>(
     claims: &[&'a Claim],
-    published: &[Comparison<'a>],
+    published: &[PublishedComparison<'a>],
     done: impl Fn() + Sync,
 ) -> Vec<Finding<'a>> {
     let mut checks = BTreeMap::new();

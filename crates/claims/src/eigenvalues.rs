@@ -5,7 +5,7 @@ use nalgebra::Complex;
 
 /// λ₁ and λ₂ of eq:eigs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pair {
+pub(crate) struct EigenvaluePair {
     /// λ₁.
     pub(crate) first: Complex<f64>,
     /// λ₂.
@@ -18,7 +18,7 @@ pub(crate) fn power(lambda: Complex<f64>, k: i32) -> Complex<f64> {
     if k < 0 { product.finv() } else { product }
 }
 
-impl Pair {
+impl EigenvaluePair {
     /// The eigenvalues of a matrix with trace τ and determinant δ.
     pub(crate) fn new(tau: f64, delta: f64) -> Self {
         match Eigenvalues::from_trace_and_determinant(tau, delta) {

@@ -19,11 +19,11 @@ const KINDS: [(MisprintKind, &str); 4] = [
 #[derive(Template)]
 #[template(path = "errata.md", escape = "none")]
 struct Page<'a> {
-    sections: [Section<'a>; 4],
+    sections: [ErrataSection<'a>; 4],
 }
 
 /// The errata of one kind.
-pub struct Section<'a> {
+pub struct ErrataSection<'a> {
     /// The heading.
     pub heading: &'static str,
     /// The errata, in the order of the paper.
@@ -35,21 +35,21 @@ pub struct Entry<'a> {
     /// The number of the erratum.
     pub number: usize,
     /// The place where it is described.
-    pub found: Found<'a>,
+    pub found: FoundMisprint<'a>,
     /// The other places.
-    pub others: Vec<Found<'a>>,
+    pub others: Vec<FoundMisprint<'a>>,
 }
 
 impl<'a> Entry<'a> {
     /// All places where the misprint occurs; the first is where it is described.
-    pub fn places(&self) -> impl Iterator<Item = &Found<'a>> {
+    pub fn places(&self) -> impl Iterator<Item = &FoundMisprint<'a>> {
         core::iter::once(&self.found).chain(&self.others)
     }
 }
 
 /// A misprint in one place.
 #[derive(Clone)]
-pub struct Found<'a> {
+pub struct FoundMisprint<'a> {
     /// The claim.
     pub claim: &'a Claim,
     /// The misprint.
@@ -58,7 +58,7 @@ pub struct Found<'a> {
     pub measured: Option<&'a Outcome>,
 }
 
-impl<'a> Found<'a> {
+impl<'a> FoundMisprint<'a> {
     fn of(finding: &'a Finding<'_>) -> Option<Self> {
         let measured = match &finding.verdict {
             ClaimVerdict::Measured(outcome) => Some(outcome).filter(|outcome| outcome.print.is_some()),
@@ -76,17 +76,18 @@ impl<'a> Found<'a> {
 
 /// The errata among the findings, in the order of all pages that list them: the most substantial kind
 /// first, and then in the order of the paper.
-pub fn sections<'a>(findings: &'a [Finding<'_>]) -> [Section<'a>; 4] {
-    let all: Vec<Found<'_>> = findings.iter().filter_map(Found::of).collect();
+pub fn sections<'a>(findings: &'a [Finding<'_>]) -> [ErrataSection<'a>; 4] {
+    let all: Vec<FoundMisprint<'_>> = findings.iter().filter_map(FoundMisprint::of).collect();
     let mut numbers = 1..;
     KINDS.map(|(kind, heading)| {
         let first =
             all.iter().filter(|found| found.misprint.kind == kind && found.misprint.same_as.is_none());
         let entries = first.zip(&mut numbers).map(|(found, number)| {
-            let same = |other: &&Found<'_>| other.misprint.same_as.as_ref() == Some(&found.claim.label);
+            let same =
+                |other: &&FoundMisprint<'_>| other.misprint.same_as.as_ref() == Some(&found.claim.label);
             Entry { number, found: found.clone(), others: all.iter().filter(same).cloned().collect() }
         });
-        Section { heading, entries: entries.collect() }
+        ErrataSection { heading, entries: entries.collect() }
     })
 }
 

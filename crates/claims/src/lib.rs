@@ -61,8 +61,8 @@ use convergence::{
     Observed, SLACK_AT_GRAZING, lowest, of_orders, order, remembered, seam, together, uniform_order,
 };
 use differences::{curvature, slope};
-use eigenvalues::{Pair, power};
-use outcome::{CheckResult, Failure, Measure, Outcome};
+use eigenvalues::{EigenvaluePair, power};
+use outcome::{CheckError, CheckResult, Measure, Outcome};
 use published::{printed, printed_at_resonances};
 use sampling::{Sampler, drawn, drawn_over, over, sampled, smallest};
 use solutions::{at_parameters, at_velocity, attracts, equations, followed, located, unknowns, vivid, zero};
@@ -71,7 +71,7 @@ use specimen::generic::{
     specimens_with,
 };
 use specimen::resonant::{
-    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Offset, ResonantSpecimen, Symbols, all_orders,
+    ANY, EVERYWHERE, Loops, MANY, Near, ONE, Offset, ResonantSpecimen, Symbols, TheoremCurve, all_orders,
     everywhere, offsets, orders, orders_against_print, scaled,
 };
 use specimen::{DELAY, Exponential, Grazing, Law, Specimen, at_grazing, damping_for_decay};

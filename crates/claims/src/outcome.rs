@@ -3,10 +3,10 @@
 use std::error::Error;
 
 /// The reason why a computation failed.
-pub type Failure = Box<dyn Error + Send + Sync>;
+pub type CheckError = Box<dyn Error + Send + Sync>;
 
 /// The result of a check; an error means that the computation failed, and counts as a failure.
-pub type CheckResult = Result<Outcome, Failure>;
+pub type CheckResult = Result<Outcome, CheckError>;
 
 /// A measure of how well a statement holds.
 #[derive(Debug, Clone, PartialEq)]

@@ -54,14 +54,14 @@ impl PublishedValue {
 
 /// A published value with the value computed by the reproduction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Comparison<'a> {
+pub struct PublishedComparison<'a> {
     /// The published value.
     pub published: &'a PublishedValue,
     /// The computed value; none if the quantity does not exist for these parameters.
     pub computed: Option<f64>,
 }
 
-impl Comparison<'_> {
+impl PublishedComparison<'_> {
     /// Whether the computed value, rounded to the printed decimals (to nearest, by its exact value),
     /// equals the print; for [`Rounding::Exact`], whether it equals the printed number. False for NaN.
     pub fn is_met(&self) -> bool {
@@ -103,7 +103,7 @@ pub struct Tally {
 
 impl Tally {
     /// Counts the values that are met.
-    pub fn of(comparisons: &[Comparison<'_>]) -> Self {
+    pub fn of(comparisons: &[PublishedComparison<'_>]) -> Self {
         let mut tally = Self::default();
         for comparison in comparisons {
             let (met, all) = if comparison.is_input() {
@@ -167,9 +167,12 @@ impl Published {
     }
 
     /// One comparison for each published value; computed values that are not printed are ignored.
-    pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
+    pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<PublishedComparison<'_>> {
         let of = |value: &PublishedValue| computed.get(&value.id).copied();
-        self.values.iter().map(|value| Comparison { published: value, computed: of(value) }).collect()
+        self.values
+            .iter()
+            .map(|value| PublishedComparison { published: value, computed: of(value) })
+            .collect()
     }
 }
 

@@ -7,7 +7,7 @@ use grazing_model::State;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
-use crate::Failure;
+use crate::CheckError;
 
 /// A seeded source of numbers: the same seed gives the same numbers on every machine.
 pub struct Sampler(Pcg64Mcg);
@@ -54,8 +54,8 @@ impl Sampler {
 /// The tally of measurements over these subjects.
 pub fn over<I, T: Default>(
     subjects: impl IntoIterator<Item = I>,
-    mut measure: impl FnMut(I, &mut T) -> Result<(), Failure>,
-) -> Result<T, Failure> {
+    mut measure: impl FnMut(I, &mut T) -> Result<(), CheckError>,
+) -> Result<T, CheckError> {
     let mut tally = T::default();
     subjects.into_iter().try_for_each(|subject| measure(subject, &mut tally))?;
     Ok(tally)
@@ -65,8 +65,8 @@ pub fn over<I, T: Default>(
 pub fn drawn_over<I, T: Default>(
     seed: u64,
     subjects: impl IntoIterator<Item = I>,
-    mut measure: impl FnMut(&mut Sampler, I, &mut T) -> Result<(), Failure>,
-) -> Result<T, Failure> {
+    mut measure: impl FnMut(&mut Sampler, I, &mut T) -> Result<(), CheckError>,
+) -> Result<T, CheckError> {
     let mut sampler = Sampler::new(seed);
     over(subjects, |subject, tally| measure(&mut sampler, subject, tally))
 }
@@ -75,8 +75,8 @@ pub fn drawn_over<I, T: Default>(
 pub fn drawn<T: Default>(
     seed: u64,
     samples: usize,
-    mut sample: impl FnMut(&mut Sampler, &mut T) -> Result<(), Failure>,
-) -> Result<T, Failure> {
+    mut sample: impl FnMut(&mut Sampler, &mut T) -> Result<(), CheckError>,
+) -> Result<T, CheckError> {
     drawn_over(seed, 0..samples, |sampler, _, tally| sample(sampler, tally))
 }
 
@@ -85,8 +85,8 @@ pub fn sampled<T: Default>(
     seed: u64,
     samples: usize,
     loops: RangeInclusive<u32>,
-    sample: impl FnMut(&mut Sampler, u32, &mut T) -> Result<(), Failure>,
-) -> Result<T, Failure> {
+    sample: impl FnMut(&mut Sampler, u32, &mut T) -> Result<(), CheckError>,
+) -> Result<T, CheckError> {
     drawn_over(seed, loops.cycle().take(samples), sample)
 }
 

@@ -127,7 +127,7 @@ impl Law {
     }
 
     /// A random oscillator with a generic law at grazing.
-    pub fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, Failure> {
+    pub fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, CheckError> {
         let damping = sampler.between(0.01, 0.25);
         let law = Self::random(sampler, damping);
         // At lower frequencies hardening springs have other resonances, whose loops graze first.
@@ -172,7 +172,7 @@ impl Law {
     }
 
     /// The oscillator at its grazing orbit at the forcing frequency ω.
-    pub fn grazing(self, frequency: f64) -> Result<Grazing, Failure> {
+    pub fn grazing(self, frequency: f64) -> Result<Grazing, CheckError> {
         // The linear oscillator's response has amplitude 1 and its maximum at phase z.
         let (stiffness, loss) = (1.0 - frequency * frequency, 2.0 * self.damping * frequency);
         let (mut amplitude, mut phase) = (libm::hypot(stiffness, loss), libm::atan2(loss, stiffness));
@@ -186,7 +186,7 @@ impl Law {
 
     /// The oscillator at the resonance into which the resonance (p, n) of the linear oscillator is
     /// continued.
-    pub fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, Failure> {
+    pub fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, CheckError> {
         let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
         let frequency = theory.resonance(loops, index)?.forcing_frequency();
         let start = Self { damping_slope: 0.0, stiffening: 0.0, frequency_first: false, pull: 0.0, ..self };
@@ -215,8 +215,8 @@ pub fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
 pub fn at_grazing<T: Default>(
     seed: u64,
     samples: usize,
-    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), Failure>,
-) -> Result<T, Failure> {
+    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), CheckError>,
+) -> Result<T, CheckError> {
     drawn(seed, samples, |sampler, tally| {
         let orbit = Law::random_grazing(sampler)?;
         let exchanged = sampler.one_of(&[true, false]);
@@ -226,7 +226,7 @@ pub fn at_grazing<T: Default>(
 }
 
 /// The grazing orbit with the frequency as its primary parameter instead of the amplitude.
-pub fn frequency_first(orbit: &Grazing) -> Result<Grazing, Failure> {
+pub fn frequency_first(orbit: &Grazing) -> Result<Grazing, CheckError> {
     let [amplitude, frequency] = orbit.oscillator().parameters();
     let law = orbit.oscillator().law().frequency_first();
     Ok(GrazingOrbit::at(Specimen::new(law, [frequency, amplitude]), orbit.phase())?)

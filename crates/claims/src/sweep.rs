@@ -30,9 +30,9 @@ pub use resonant::ResonantRow;
 /// The first case that could not be computed.
 pub fn rows<R: Send>(
     cases: &[Case],
-    work: impl Fn(Case) -> Result<R, Failure> + Sync,
+    work: impl Fn(Case) -> Result<R, CheckError> + Sync,
     step: impl Fn() + Sync,
-) -> Result<Vec<R>, Failure> {
+) -> Result<Vec<R>, CheckError> {
     cases.par_iter().map(|case| work(*case).inspect(|_| step())).collect()
 }
 

@@ -7,7 +7,7 @@ use grazing_report::FileDigest;
 use serde_json::{Value, json};
 use tar::{Builder, Header};
 
-use crate::arguments::Archive;
+use crate::arguments::ArchiveArguments;
 use crate::failure::Failure;
 use crate::folder::{self, MOST_BYTES, OutputFile, with_slashes};
 use crate::{codecheck, outputs, project, terminal, versions};
@@ -36,7 +36,7 @@ const TIME: u64 = 315_532_800;
 ///
 /// # Errors
 /// A file cannot be read, results are incomplete, or the archive cannot be written.
-pub(crate) fn run(arguments: &Archive) -> Result<(), Failure> {
+pub(crate) fn run(arguments: &ArchiveArguments) -> Result<(), Failure> {
     let of_the_paper = arguments.paths.is_empty();
     let mut files = Vec::new();
     if of_the_paper {

@@ -9,7 +9,7 @@ use clap_complete::Shell;
 use grazing_claims::ledger::ClaimKind;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_drawing::SheetWidth;
-use grazing_input::{Limits, Setting};
+use grazing_input::{AnalysisLimits, Setting};
 
 mod values;
 
@@ -17,7 +17,7 @@ use self::values::{column, curve, date, place, positive, size};
 use crate::failure::Failure;
 use crate::outputs::edition::{Edition, Format, TextForm, WIDTHS};
 use crate::outputs::{self, edition};
-use crate::variation::{Part, Variation};
+use crate::variation::{PartNumber, Variation};
 use crate::{commands, examples};
 
 macro_rules! help {
@@ -57,42 +57,42 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Compute all figures and tables, or check the existing ones
-    Reproduce(Reproduce),
+    Reproduce(ReproduceArguments),
     /// Compare values with the published ones, or curves with another program's
-    Compare(Compare),
+    Compare(CompareArguments),
     /// Test the claims of the paper, label by label
-    Claims(Claims),
+    Claims(ClaimsArguments),
     /// Prove what Figure 7 shows and write a certificate
-    Certify(Certify),
+    Certify(CertifyArguments),
     /// Write all results on one page, to be read in a browser
-    Report(Report),
+    Report(ReportArguments),
     /// Find and unfold resonant grazing bifurcations of an oscillator
-    Unfold(Unfold),
+    Unfold(UnfoldArguments),
     /// Map the attractors over the window of Figure 7
-    Attractors(Attractors),
+    Attractors(AttractorsArguments),
     /// Explore the diagram of an oscillator in a browser
-    Explore(Explore),
+    Explore(ExploreArguments),
     /// Identify constants of an oscillator from measurements
-    Identify(Identify),
+    Identify(IdentifyArguments),
     /// Join the parts of a family or a map computed with `--part`
-    Merge(Merge),
+    Merge(MergeArguments),
     /// Write the description of an oscillator, to be edited
-    New(New),
+    New(NewArguments),
     /// Print the JSON schema of an oscillator file, for editors
-    Schema(Schema),
+    Schema(SchemaArguments),
     /// Write a problem for AUTO-07p that starts at a periodic solution
-    Export(Export),
+    Export(ExportArguments),
     /// Pack results and their sources for an archive
-    Archive(Archive),
+    Archive(ArchiveArguments),
     /// Print a script that completes commands and options in a shell
-    Completions(Completions),
+    Completions(CompletionsArguments),
     /// Write manual pages, one for each command
-    Manual(Manual),
+    Manual(ManualArguments),
 }
 
 /// The arguments of `grazing reproduce`.
 #[derive(Debug, Args)]
-pub struct Reproduce {
+pub struct ReproduceArguments {
     /// Compute only this output; may be given several times
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(output_names()))]
     pub only: Vec<String>,
@@ -102,7 +102,7 @@ pub struct Reproduce {
     #[command(flatten)]
     pub(crate) parameters: ParameterFile,
     #[command(flatten)]
-    pub(crate) look: Look,
+    pub(crate) look: FigureArguments,
     /// Folder for the figures, with data/ for tables [default: figures, or journal beside it]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -112,7 +112,7 @@ pub struct Reproduce {
 
 /// The form of the figures.
 #[derive(Debug, Args)]
-pub struct Look {
+pub struct FigureArguments {
     /// Formats, separated by commas; tex: LaTeX tables, PDF, and figures.tex that includes all; parquet: tables in addition to CSV
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
@@ -127,7 +127,7 @@ pub struct Look {
     pub text: TextForm,
 }
 
-impl Look {
+impl FigureArguments {
     /// Formats and width as an edition.
     pub fn edition(&self) -> Edition {
         Edition::new(self.format.clone(), self.columns, self.dpi, self.text)
@@ -155,7 +155,7 @@ pub struct Changes {
 
 /// The arguments of `grazing claims`.
 #[derive(Debug, Args)]
-pub struct Claims {
+pub struct ClaimsArguments {
     /// Labels of the paper, such as eq:gp; * matches anything, as in 'th:*' [default: all]
     #[arg(value_name = "LABEL")]
     pub labels: Vec<String>,
@@ -198,7 +198,7 @@ impl NamedColumns {
 
 /// The arguments of `grazing compare`.
 #[derive(Debug, Args)]
-pub struct Compare {
+pub struct CompareArguments {
     /// CSV of bifurcation curves from another program [default: compare the published values]
     #[arg(value_name = "CSV", requires = "oscillator")]
     pub curves: Option<PathBuf>,
@@ -221,7 +221,7 @@ pub struct Compare {
 
 /// The arguments of `grazing certify`.
 #[derive(Debug, Args)]
-pub struct Certify {
+pub struct CertifyArguments {
     /// Write nothing; fail if the certificate differs from what the code produces
     #[arg(long)]
     pub check: bool,
@@ -236,7 +236,7 @@ pub struct Certify {
 
 /// The arguments of `grazing report`.
 #[derive(Debug, Args)]
-pub struct Report {
+pub struct ReportArguments {
     /// File of the page
     #[arg(long, value_name = "FILE", default_value = "report.html")]
     pub output: PathBuf,
@@ -251,7 +251,7 @@ pub struct Report {
 
 /// The arguments of `grazing unfold`.
 #[derive(Debug, Args)]
-pub struct Unfold {
+pub struct UnfoldArguments {
     /// Descriptions of oscillators, such as examples/duffing.toml
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
@@ -259,7 +259,7 @@ pub struct Unfold {
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
-    pub(crate) look: Look,
+    pub(crate) look: FigureArguments,
     #[command(flatten)]
     pub(crate) changes: Changes,
     /// Resonances and coefficients for COUNT values of a constant; may be given up to three times
@@ -267,7 +267,7 @@ pub struct Unfold {
     pub vary: Vec<Variation>,
     /// Compute only part K of N of the family; `merge` joins the parts
     #[arg(long, value_name = "K/N", requires = "vary")]
-    pub part: Option<Part>,
+    pub part: Option<PartNumber>,
     /// CSV of measurements, to be compared and drawn
     #[arg(long, value_name = "CSV", conflicts_with = "vary")]
     pub data: Option<PathBuf>,
@@ -282,12 +282,12 @@ pub struct Unfold {
     #[arg(long)]
     pub explain: bool,
     #[command(flatten)]
-    pub(crate) limits: AnalysisLimits,
+    pub(crate) limits: LimitArguments,
 }
 
 /// Limits of the analysis. Drawing and writing come after it and are not ended by them.
 #[derive(Debug, Args)]
-pub struct AnalysisLimits {
+pub struct LimitArguments {
     /// CPU seconds after which the analysis stops; drawing and writing what it has come after [default: the file's, or 600]
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     pub time_limit: Option<f64>,
@@ -299,10 +299,10 @@ pub struct AnalysisLimits {
     pub step_limit: Option<f64>,
 }
 
-impl AnalysisLimits {
+impl LimitArguments {
     /// The limits given on the command line, or else those of a file.
-    pub(crate) fn over(&self, file: Limits) -> Limits {
-        Limits {
+    pub(crate) fn over(&self, file: AnalysisLimits) -> AnalysisLimits {
+        AnalysisLimits {
             time: self.time_limit.unwrap_or(file.time),
             memory: self.memory_limit.unwrap_or(file.memory),
             steps: self.step_limit.unwrap_or(file.steps),
@@ -312,27 +312,27 @@ impl AnalysisLimits {
 
 /// The arguments of `grazing attractors`.
 #[derive(Debug, Args)]
-pub struct Attractors {
+pub struct AttractorsArguments {
     /// Numbers of columns and rows of the map
     #[arg(long, value_name = "COLUMNSxROWS", default_value = "1000x1000", value_parser = size)]
     pub size: [u32; 2],
     /// Compute only part K of N of the rows; `merge` joins the parts
     #[arg(long, value_name = "K/N")]
-    pub part: Option<Part>,
+    pub part: Option<PartNumber>,
     /// Folder for the results [default: attractors]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) parameters: ParameterFile,
     #[command(flatten)]
-    pub(crate) look: Look,
+    pub(crate) look: FigureArguments,
     #[command(flatten)]
     pub(crate) threads: Threads,
 }
 
 /// The arguments of `grazing explore`.
 #[derive(Debug, Args)]
-pub struct Explore {
+pub struct ExploreArguments {
     /// Description of the oscillator to show first [default: the paper's]
     #[arg(value_name = "FILE")]
     pub file: Option<PathBuf>,
@@ -352,7 +352,7 @@ pub struct Explore {
 
 /// The arguments of `grazing identify`.
 #[derive(Debug, Args)]
-pub struct Identify {
+pub struct IdentifyArguments {
     /// Description of an oscillator, such as examples/leaf-spring.toml
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
@@ -375,12 +375,12 @@ pub struct Identify {
     #[command(flatten)]
     pub(crate) threads: Threads,
     #[command(flatten)]
-    pub(crate) limits: AnalysisLimits,
+    pub(crate) limits: LimitArguments,
 }
 
 /// The arguments of `grazing merge`.
 #[derive(Debug, Args)]
-pub struct Merge {
+pub struct MergeArguments {
     /// All parts of a family or a map, as written with `--part`
     #[arg(value_name = "PART", required = true)]
     pub parts: Vec<PathBuf>,
@@ -388,12 +388,12 @@ pub struct Merge {
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
-    pub(crate) look: Look,
+    pub(crate) look: FigureArguments,
 }
 
 /// The arguments of `grazing new`.
 #[derive(Debug, Args)]
-pub struct New {
+pub struct NewArguments {
     /// The file to write; it must not exist yet
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
@@ -404,7 +404,7 @@ pub struct New {
 
 /// The arguments of `grazing schema`.
 #[derive(Debug, Args)]
-pub struct Schema {
+pub struct SchemaArguments {
     /// The files to describe
     #[arg(long, value_name = "FILES", value_enum, default_value_t)]
     pub of: Written,
@@ -422,7 +422,7 @@ pub enum Written {
 
 /// The arguments of `grazing export`.
 #[derive(Debug, Args)]
-pub struct Export {
+pub struct ExportArguments {
     /// Description of an oscillator, such as examples/duffing.toml
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
@@ -438,7 +438,7 @@ pub struct Export {
 
 /// The arguments of `grazing archive`.
 #[derive(Debug, Args)]
-pub struct Archive {
+pub struct ArchiveArguments {
     /// Folders of results, and files [default: in a clone, those of the paper]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
@@ -455,14 +455,14 @@ pub struct Archive {
 
 /// The arguments of `grazing completions`.
 #[derive(Debug, Args)]
-pub struct Completions {
+pub struct CompletionsArguments {
     /// The shell that is to complete commands and options
     pub shell: Shell,
 }
 
 /// The arguments of `grazing manual`.
 #[derive(Debug, Args)]
-pub struct Manual {
+pub struct ManualArguments {
     /// Folder for the pages (grazing.1 and others)
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,

@@ -18,7 +18,7 @@ use crate::outputs::edition::Edition;
 use crate::outputs::{Output, accompanying, paper};
 use crate::part::{self, Divided, Joined};
 use crate::progress::Display;
-use crate::runner::{Next, Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Next, Plan, Running};
 use crate::{data_page, project, terminal};
 
 /// The folder of the results, unless another one is named.
@@ -53,7 +53,7 @@ fn failure(error: StudyError) -> Failure {
 }
 
 impl MapWork {
-    fn new(arguments: &arguments::Attractors) -> Result<Self, Failure> {
+    fn new(arguments: &arguments::AttractorsArguments) -> Result<Self, Failure> {
         let (_, parameters) = project::parameter_file(arguments.parameters.file.as_deref())?;
         let [columns, rows] = arguments.size;
         let size = [("columns", columns), ("rows", rows)]
@@ -94,8 +94,8 @@ impl Divided for MapWork {
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &arguments::Attractors) -> Result<Plan<'_>, Failure> {
-    let arguments::Attractors { part, output, look, .. } = arguments;
+pub(crate) fn read(arguments: &arguments::AttractorsArguments) -> Result<Plan<'_>, Failure> {
+    let arguments::AttractorsArguments { part, output, look, .. } = arguments;
     let work = MapWork::new(arguments)?;
     let task = work.task()?;
     let count = MapWork::count(&task);
@@ -109,7 +109,7 @@ pub(crate) fn read(arguments: &arguments::Attractors) -> Result<Plan<'_>, Failur
 }
 
 /// Whether the first part is one of a map.
-pub(crate) fn has_part(arguments: &arguments::Merge) -> bool {
+pub(crate) fn has_part(arguments: &arguments::MergeArguments) -> bool {
     arguments.parts.first().is_some_and(|first| part::is_of::<MapWork>(first))
 }
 
@@ -117,7 +117,7 @@ pub(crate) fn has_part(arguments: &arguments::Merge) -> bool {
 ///
 /// # Errors
 /// A file is not a part or belongs to another map, or a part is missing or given twice.
-pub(crate) fn merge(arguments: &arguments::Merge) -> Result<Plan<'_>, Failure> {
+pub(crate) fn merge(arguments: &arguments::MergeArguments) -> Result<Plan<'_>, Failure> {
     let Joined { task, records, .. } = part::joined::<MapWork>(&arguments.parts)?;
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
     Ok(plan(|_| Ok(records), task, folder, arguments.look.edition()))
@@ -143,7 +143,13 @@ fn plan<'a>(
         let about = data_page::of_the_paper(OUTPUT.tables.iter().copied());
         files.extend(accompanying(&edition, &floats, [], about));
         let (text, batches) = (counted(terminal::layout(), &shown), vec![Batch::run(folder, files)]);
-        Ok(Outcome { text, batches, next: Next::Look, notes: computed.notes, ..Outcome::default() })
+        Ok(CommandOutcome {
+            text,
+            batches,
+            next: Next::Look,
+            notes: computed.notes,
+            ..CommandOutcome::default()
+        })
     };
     Plan::new(compute, say).writing_run(folder, paths)
 }

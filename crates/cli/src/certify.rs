@@ -5,19 +5,19 @@ use std::path::{Path, PathBuf};
 
 use grazing_beyond::proofs::statement;
 use grazing_certify::ball::Ball;
-use grazing_certify::resonance::{NAMES, Resonance};
-use grazing_certify::row::Row;
+use grazing_certify::resonance::{EnclosedResonance, NAMES};
+use grazing_certify::row::CertificateRow;
 use grazing_certify::statement::{Decimal, Statement, WIDTH_PLACES};
 use grazing_certify::{certificate, prove, summary};
 use grazing_claims::published::Published;
 use grazing_reproduction::StudyError;
 use grazing_unfold::progress::Progress;
 
-use crate::arguments::Certify;
+use crate::arguments::CertifyArguments;
 use crate::commands::CommandLine;
 use crate::failure::{Failure, computation};
 use crate::folder::{Batch, OutputFile};
-use crate::runner::{Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Plan, Running};
 use crate::{limits, project};
 
 /// The default folder of the certificate, from the root of the repository.
@@ -30,8 +30,8 @@ const FILES: [&str; 3] = ["statement.csv", "resonances.csv", "rows.csv"];
 /// What is proved of a statement.
 struct Proof {
     statement: Statement,
-    resonances: Vec<Resonance>,
-    rows: Vec<Row>,
+    resonances: Vec<EnclosedResonance>,
+    rows: Vec<CertificateRow>,
     interrupted: bool,
 }
 
@@ -39,8 +39,8 @@ struct Proof {
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &Certify) -> Result<Plan<'_>, Failure> {
-    let Certify { check, output, parameters, .. } = arguments;
+pub(crate) fn read(arguments: &CertifyArguments) -> Result<Plan<'_>, Failure> {
+    let CertifyArguments { check, output, parameters, .. } = arguments;
     let failed = |error: StudyError| computation("certify", &error);
     let statement = statement(&project::parameters(parameters)?).map_err(failed)?;
     let folder = match output {
@@ -70,13 +70,13 @@ pub(crate) fn read(arguments: &Certify) -> Result<Plan<'_>, Failure> {
             (_, true) => Some("not everything could be proved, see above; the rest is in the certificate"),
             _ => None,
         };
-        Ok(Outcome {
+        Ok(CommandOutcome {
             text: proof.listing(points, share),
             batches: vec![batch],
             check: check.then(mend),
             next: next.into(),
             failure: failure.map(Failure::incomplete),
-            ..Outcome::default()
+            ..CommandOutcome::default()
         })
     };
     let plan = Plan::new(compute, say).finishing();
@@ -87,7 +87,7 @@ impl Proof {
     /// Proves what can be proved until it is interrupted.
     fn of(statement: Statement, progress: &dyn Progress) -> Self {
         let frequency = statement.frequency.map(Decimal::ball);
-        let resonances = Resonance::in_window(&statement.oscillator, &statement.loops, frequency);
+        let resonances = EnclosedResonance::in_window(&statement.oscillator, &statement.loops, frequency);
         let what = "proofs over the window";
         let (begin, step) = (|parts| progress.begin(what, parts), || progress.step(what));
         let rows = prove(&statement, begin, step, limits::is_interrupted);
@@ -136,13 +136,13 @@ impl Proof {
 
 /// A line for each number that the paper prints of a resonance: whether it is within half a unit of
 /// its last digit of the proved value. None for constants other than the paper's.
-fn printed(statement: &Statement, published: &Published, resonance: &Resonance) -> Vec<String> {
+fn printed(statement: &Statement, published: &Published, resonance: &EnclosedResonance) -> Vec<String> {
     let find = |id: &str| published.values.iter().find(|value| value.id == id);
     let is = |id: &str, ours: Decimal| find(id).is_some_and(|value| value.printed == ours.to_string());
     if !(is("zeta", statement.zeta) && is("epsilon", statement.epsilon)) {
         return Vec::new();
     }
-    let Resonance { p, n, numbers, .. } = resonance;
+    let EnclosedResonance { p, n, numbers, .. } = resonance;
     let line = |(name, proved): (&str, &Ball)| {
         let value = find(&format!("{}_p{p}_n{n}", name.trim_end_matches("_star")))?;
         let print = Decimal::new(value.printed.parse().ok()?)?.ball();

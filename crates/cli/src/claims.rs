@@ -14,12 +14,12 @@ use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
 use grazing_unfold::progress::Progress;
 
-use crate::arguments::Claims;
+use crate::arguments::ClaimsArguments;
 use crate::commands::CommandLine;
 use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, Batch, OutputFile};
-use crate::runner::{Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Plan, Running};
 use crate::{project, terminal};
 
 /// The page of errata, from the root of the repository.
@@ -32,7 +32,7 @@ pub(crate) static LEDGER: LazyLock<Ledger> = LazyLock::new(Ledger::of_the_paper)
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &Claims) -> Result<Plan<'_>, Failure> {
+pub(crate) fn read(arguments: &ClaimsArguments) -> Result<Plan<'_>, Failure> {
     let chosen: Vec<&Claim> = LEDGER.claims.iter().filter(|claim| is_chosen(claim, arguments)).collect();
     if chosen.is_empty() {
         let wanted = arguments.labels.join(" ");
@@ -55,7 +55,13 @@ pub(crate) fn read(arguments: &Claims) -> Result<Plan<'_>, Failure> {
         };
         let (explain, coloured) = (arguments.explain, terminal::is_coloured());
         let coloured = listing::table(terminal::layout(), &findings, explain, coloured);
-        Ok(Outcome { coloured, text: listing::summary(&findings), batches, failure, ..Outcome::default() })
+        Ok(CommandOutcome {
+            coloured,
+            text: listing::summary(&findings),
+            batches,
+            failure,
+            ..CommandOutcome::default()
+        })
     };
     Ok(Plan::new(compute, say))
 }
@@ -80,7 +86,7 @@ pub(crate) fn findings<'a>(
 
 /// Whether a claim is selected: by its label, in which `*` stands for any characters, by its kind,
 /// and by whether it is a misprint.
-fn is_chosen(claim: &Claim, arguments: &Claims) -> bool {
+fn is_chosen(claim: &Claim, arguments: &ClaimsArguments) -> bool {
     let labels = &arguments.labels;
     (labels.is_empty() || labels.iter().any(|wanted| matches(wanted, &claim.label)))
         && arguments.kind.as_ref().is_none_or(|kind| kind == claim.kind.name())

@@ -7,7 +7,7 @@
 use askama::Template;
 use grazing_reproduction::Study;
 use grazing_results::Title;
-use grazing_results::title::{Place, without_ties};
+use grazing_results::title::{TitleSubject, without_ties};
 
 use crate::outputs::edition::Edition;
 use crate::outputs::{self, Output};
@@ -47,7 +47,7 @@ fn files(output: &Output<Study>) -> Vec<String> {
 /// A title as a comment, which says for a figure of the paper that it is one.
 fn comment(title: Title<&str>) -> String {
     match title.place {
-        Place::Figure(number) => {
+        TitleSubject::Figure(number) => {
             format!("Figure {number} of manuscript: {}", without_ties(title.words))
         }
         _ => title.to_string(),

@@ -3,18 +3,18 @@
 
 use std::path::Path;
 
-use grazing_claims::published::{Comparison, Published, Rounding, Tally};
-use grazing_input::Limits;
+use grazing_claims::published::{Published, PublishedComparison, Rounding, Tally};
+use grazing_input::AnalysisLimits;
 use grazing_measured::read::{self, Foreign};
 use grazing_measured::{Apart, apart};
 use grazing_reproduction::Study;
 
-use crate::arguments::Compare;
+use crate::arguments::CompareArguments;
 use crate::failure::{Failure, computation};
 use crate::layout::Layout;
 use crate::limits::ended;
 use crate::oscillator::{OscillatorFile, parameter_names};
-use crate::runner::{Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Plan, Running};
 use crate::unfold::analysis::analyse;
 use crate::{project, terminal};
 
@@ -26,14 +26,14 @@ const DIGITS_BEYOND_PRINT: usize = 4;
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &Compare) -> Result<Plan<'_>, Failure> {
+pub(crate) fn read(arguments: &CompareArguments) -> Result<Plan<'_>, Failure> {
     let (Some(curves), Some(oscillator)) = (&arguments.curves, &arguments.oscillator) else {
         arguments.named.of(None)?;
         let parameters = project::parameters(&arguments.parameters)?;
         return Ok(Plan::new(move |_| published(&Study::new(&parameters)), said));
     };
-    let Compare { named, curve, within, parameters, .. } = arguments;
-    let of = OscillatorFile::read(oscillator, &parameters.set, Limits::USUAL)?;
+    let CompareArguments { named, curve, within, parameters, .. } = arguments;
+    let of = OscillatorFile::read(oscillator, &parameters.set, AnalysisLimits::USUAL)?;
     let foreign = Foreign { columns: named.of(Some(curves))?.to_vec(), curve: *curve };
     let points = read::curves(curves, parameter_names(&of.description), &foreign)?;
     let limits = (of.description.limits(), of.taken);
@@ -63,20 +63,20 @@ pub(crate) fn read(arguments: &Compare) -> Result<Plan<'_>, Failure> {
                 "{curves}: {far} of {all} points lie farther than {within:e} of the ranges from every admissible part of a curve of their kind"
             ))),
         };
-        Ok(Outcome { text, failure, ..Outcome::default() })
+        Ok(CommandOutcome { text, failure, ..CommandOutcome::default() })
     };
     Ok(Plan::new(compute, say).within(oscillator, limits))
 }
 
 /// The comparison with the published values, and whether they are met.
-fn said(comparisons: Vec<Comparison<'_>>, _: &Path) -> Result<Outcome, Failure> {
+fn said(comparisons: Vec<PublishedComparison<'_>>, _: &Path) -> Result<CommandOutcome, Failure> {
     let coloured = table(terminal::layout(), &comparisons, terminal::is_coloured());
     let tally = Tally::of(&comparisons);
     let (text, failure) = match tally.is_complete() {
         true => (format!("\n{tally}.\n"), None),
         false => (String::new(), Some(Failure::check(tally.to_string()))),
     };
-    Ok(Outcome { coloured, text, failure, ..Outcome::default() })
+    Ok(CommandOutcome { coloured, text, failure, ..CommandOutcome::default() })
 }
 
 /// How far points are from the curves of their kinds, as a table.
@@ -94,19 +94,19 @@ fn distances(layout: Layout, kinds: &[Apart]) -> String {
 }
 
 /// The values that the paper prints, each with the one that the study computes.
-pub(crate) fn published(study: &Study) -> Result<Vec<Comparison<'static>>, Failure> {
+pub(crate) fn published(study: &Study) -> Result<Vec<PublishedComparison<'static>>, Failure> {
     let computed = study.published_values().map_err(|error| computation("published values", &error))?;
     Ok(Published::printed().compare(&computed))
 }
 
 /// The comparisons as a table with aligned columns.
-pub fn table(layout: Layout, comparisons: &[Comparison<'_>], coloured: bool) -> String {
+pub fn table(layout: Layout, comparisons: &[PublishedComparison<'_>], coloured: bool) -> String {
     let header = ["<quantity", "printed", "computed", "difference", "<verdict", "<where"];
     layout.aligned(&header, comparisons.iter().map(|comparison| cells(comparison, coloured).into()))
 }
 
 /// A computed value in a few digits more than the print has.
-pub(crate) fn computed(comparison: &Comparison<'_>) -> Option<String> {
+pub(crate) fn computed(comparison: &PublishedComparison<'_>) -> Option<String> {
     let decimals = comparison.published.decimals() + DIGITS_BEYOND_PRINT;
     comparison.computed.map(|computed| match comparison.published.rounding {
         Rounding::Exact => format!("{computed}"),
@@ -115,7 +115,7 @@ pub(crate) fn computed(comparison: &Comparison<'_>) -> Option<String> {
 }
 
 /// The cells of a row: quantity, printed and computed value, difference, verdict and place.
-fn cells(comparison: &Comparison<'_>, coloured: bool) -> [String; 6] {
+fn cells(comparison: &PublishedComparison<'_>, coloured: bool) -> [String; 6] {
     let published = comparison.published;
     let difference = comparison
         .difference()

@@ -21,7 +21,7 @@ examples! {
 }
 
 /// A description that a user begins with.
-pub struct Kind {
+pub struct StarterFile {
     /// The name on the command line; of an example, its file name without the ending.
     pub name: &'static str,
     /// A line about the oscillator that it describes.
@@ -30,7 +30,7 @@ pub struct Kind {
     template: &'static str,
 }
 
-impl Kind {
+impl StarterFile {
     /// The text of the file, for a program that is started by this command.
     pub fn text(&self, program: &str) -> String {
         commands::filled(self.template, program)
@@ -38,18 +38,18 @@ impl Kind {
 }
 
 /// The kinds that are not examples.
-const PLAIN: [Kind; 3] = [
-    Kind {
+const PLAIN: [StarterFile; 3] = [
+    StarterFile {
         name: "plain",
         about: "A mass on a spring beside a wall at x = 0, without units",
         template: include_str!("new/plain.toml"),
     },
-    Kind {
+    StarterFile {
         name: "moving-wall",
         about: "A mass over a table that shakes: the wall moves",
         template: include_str!("new/moving-wall.toml"),
     },
-    Kind {
+    StarterFile {
         name: "si",
         about: "A rig in metres, kilograms and seconds, its stop at a distance",
         template: include_str!("new/si.toml"),
@@ -57,8 +57,8 @@ const PLAIN: [Kind; 3] = [
 ];
 
 /// All kinds: the plain ones, and the examples.
-pub fn kinds() -> impl Iterator<Item = Kind> {
-    let example = |(file, text): &(&'static str, &'static str)| Kind {
+pub fn kinds() -> impl Iterator<Item = StarterFile> {
+    let example = |(file, text): &(&'static str, &'static str)| StarterFile {
         name: file.trim_end_matches(".toml"),
         about: text.lines().find_map(|line| line.strip_prefix("name = \"")?.split('"').next()).unwrap_or(""),
         template: text,

@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use std::slice;
 
 use grazing_drawing::SheetWidth;
-use grazing_explore::{Example, Export, Figure, Limits, Seen, Server, Sheet};
+use grazing_explore::{Example, Export, ExportedFile, Figure, Limits, Seen, Server};
 use grazing_input::{Description, FigureStyle};
 use grazing_results::Tables;
 use grazing_results::branches::OneParameter;
@@ -20,21 +20,21 @@ use crate::folder::OutputFile;
 use crate::oscillator::OscillatorFile;
 use crate::outputs::ComputedOutput;
 use crate::outputs::edition::{self, Edition, Format};
-use crate::outputs::oscillator::Named;
-use crate::runner::{self, Outcome, Plan};
+use crate::outputs::oscillator::NamedOscillator;
+use crate::runner::{self, CommandOutcome, Plan};
 use crate::{examples, limits, system, tables, terminal};
 
 /// Serves the page until Ctrl-C is pressed, or writes it as files.
 ///
 /// # Errors
 /// A file cannot be read or written, or the port is not available.
-pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
+pub(crate) fn run(arguments: &arguments::ExploreArguments) -> Result<(), Failure> {
     let examples = examples(arguments.file.as_deref())?;
     if let (Some(folder), Some(program)) = (&arguments.static_files, &arguments.program) {
         return runner::run(|| page(folder, program, &examples), None);
     }
     let export: Export = Box::new(|seen, what, columns, _| {
-        exported(seen, what, columns).map_err(|failure| failure.to_string())
+        figure_file(seen, what, columns).map_err(|failure| failure.to_string())
     });
     let server =
         Server::bind(arguments.port, Limits::default(), program(), examples, export).map_err(|reason| {
@@ -69,7 +69,7 @@ fn page<'a>(folder: &Path, program: &Path, examples: &[Example]) -> Result<Plan<
     let paths: Vec<_> = files.iter().map(|file| file.path.clone()).collect();
     let say = |files, folder: &Path| {
         let next = CommandLine::of(&["python3", "-m", "http.server", "-d"]).with(folder.display()).into();
-        Ok(Outcome { next, ..Outcome::unlisted(files, folder)? })
+        Ok(CommandOutcome { next, ..CommandOutcome::unlisted(files, folder)? })
     };
     Ok(Plan::new(|_| Ok(files), say).writing(folder.to_owned(), paths))
 }
@@ -83,7 +83,7 @@ fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
     let mut all = Vec::new();
     if let Some(named) = named {
         let OscillatorFile { text, description, .. } =
-            OscillatorFile::read(named, &[], grazing_input::Limits::USUAL)?;
+            OscillatorFile::read(named, &[], grazing_input::AnalysisLimits::USUAL)?;
         let file = named.file_name().unwrap_or_default().to_string_lossy().into_owned();
         all.push(Example { name: description.name().to_owned(), file, text: Some(text) });
     }
@@ -123,7 +123,7 @@ fn open(address: &str) -> Option<NamedTempFile> {
 }
 
 /// A file of what the page shows, produced as `unfold` produces it.
-fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
+fn figure_file(seen: &Seen, what: &str, columns: &str) -> Result<ExportedFile, Failure> {
     let format = match what {
         "svg" => Some((Format::Svg, "image/svg+xml")),
         "pdf" => Some((Format::Pdf, "application/pdf")),
@@ -144,13 +144,13 @@ fn exported(seen: &Seen, what: &str, columns: &str) -> Result<Sheet, Failure> {
         )));
     };
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
+    Ok(ExportedFile { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
 }
 
 /// The figures and tables of what the page shows.
 pub(crate) fn drawn(seen: &Seen, width: SheetWidth) -> Result<ComputedOutput, Failure> {
     let Seen { name, names, figure } = seen;
-    let named = Named { of: Path::new("oscillator.toml"), name, names, width };
+    let named = NamedOscillator { of: Path::new("oscillator.toml"), name, names, width };
     let output = match figure {
         Figure::Plane(diagram, compared) => named.plane(diagram, FigureStyle::default()).map(|mut made| {
             made.tables.extend(compared.iter().flat_map(|compared| compared.tables(names)));

@@ -7,10 +7,10 @@ mod origin;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use grazing_input::{Description, Limits};
+use grazing_input::{AnalysisLimits, Description};
 use grazing_model::smooth::Stop;
 use grazing_results::brief;
-use grazing_unfold::family::{Plan, Record, assemble, names, records};
+use grazing_unfold::family::{FamilyPlan, Record, assemble, names, records};
 use grazing_unfold::nothing::Nothing;
 
 use crate::arguments;
@@ -23,16 +23,16 @@ use crate::outputs::accompanying;
 use crate::outputs::edition::Edition;
 use crate::outputs::family::{FAMILY, NamedFamily};
 use crate::part::{self, Joined};
-use crate::runner::{self, Next, Outcome, Running};
-use crate::variation::{MOST_MEMBERS, Part, Variation};
+use crate::runner::{self, CommandOutcome, Next, Running};
+use crate::variation::{MOST_MEMBERS, PartNumber, Variation};
 use crate::{data_page, terminal};
+pub(crate) use origin::FamilyOrigin;
 use origin::FamilyWork;
-pub(crate) use origin::Origin;
 
 /// A family, and all its members or those in a part of it, each with its number.
-pub(crate) struct Family {
+pub(crate) struct FamilyMembers {
     description: Description,
-    plan: Plan,
+    plan: FamilyPlan,
     members: Vec<(usize, Description)>,
 }
 
@@ -40,18 +40,18 @@ pub(crate) struct Family {
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &arguments::Unfold) -> Result<runner::Plan<'_>, Failure> {
-    let arguments::Unfold { files, vary, part, output, look, limits, .. } = arguments;
+pub(crate) fn read(arguments: &arguments::UnfoldArguments) -> Result<runner::Plan<'_>, Failure> {
+    let arguments::UnfoldArguments { files, vary, part, output, look, limits, .. } = arguments;
     let [file] = files.as_slice() else {
         return Err(Failure::input(
             "--vary takes one file at a time: name one file, and run the command again for the next",
         ));
     };
     arguments.named.of(None)?;
-    let origin = Origin::of_file(file, arguments)?;
+    let origin = FamilyOrigin::of_file(file, arguments)?;
     // Members have more time together, but their number is not known yet.
-    let read = |stop: &Stop| Family::read(&origin, vary, *part, stop);
-    let (family, taken) = reading(file, limits.over(Limits::USUAL), read)?;
+    let read = |stop: &Stop| FamilyMembers::read(&origin, vary, *part, stop);
+    let (family, taken) = reading(file, limits.over(AnalysisLimits::USUAL), read)?;
     let folder = output.clone().unwrap_or_else(|| origin.folder());
     let (heading, limits) = (family.heading(terminal::layout(), file, *part), limits.over(family.limits()));
     let plan = if let Some(part) = *part {
@@ -67,7 +67,7 @@ pub(crate) fn read(arguments: &arguments::Unfold) -> Result<runner::Plan<'_>, Fa
         };
         let edition = look.edition();
         let paths = FAMILY.paths(&edition);
-        let say = move |(family, records, cause): (Family, _, _), folder: &Path| {
+        let say = move |(family, records, cause): (FamilyMembers, _, _), folder: &Path| {
             family.outcome(file, records, cause, folder, &edition)
         };
         runner::Plan::new(compute, say).writing_run(folder, paths)
@@ -79,24 +79,24 @@ pub(crate) fn read(arguments: &arguments::Unfold) -> Result<runner::Plan<'_>, Fa
 ///
 /// # Errors
 /// A file is not a part or belongs to another family, or a part is missing or given twice.
-pub(crate) fn merge(arguments: &arguments::Merge) -> Result<runner::Plan<'_>, Failure> {
+pub(crate) fn merge(arguments: &arguments::MergeArguments) -> Result<runner::Plan<'_>, Failure> {
     let Joined { work, task, records } = part::joined::<FamilyWork>(&arguments.parts)?;
     let (FamilyWork { origin, .. }, (description, plan)) = (work, task);
     let (file, edition) = (PathBuf::from(&origin.file), arguments.look.edition());
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
-    let family = Family { description, plan, members: Vec::new() };
+    let family = FamilyMembers { description, plan, members: Vec::new() };
     let records = records.into_iter().map(Some).collect();
     let paths = FAMILY.paths(&edition);
     let say = move |records, folder: &Path| family.outcome(&file, records, None, folder, &edition);
     Ok(runner::Plan::new(|_| Ok(records), say).writing_run(folder, paths))
 }
 
-impl Family {
+impl FamilyMembers {
     /// Reads and checks all that a family, or a part of it, is computed from.
     pub(crate) fn read(
-        origin: &Origin,
+        origin: &FamilyOrigin,
         vary: &[Variation],
-        part: Option<Part>,
+        part: Option<PartNumber>,
         stop: &Stop,
     ) -> Result<Self, Failure> {
         let description = origin.description(&[], stop)?;
@@ -107,15 +107,15 @@ impl Family {
     }
 
     /// The line about the family that is about to be computed.
-    fn heading(&self, layout: Layout, file: &Path, part: Option<Part>) -> String {
+    fn heading(&self, layout: Layout, file: &Path, part: Option<PartNumber>) -> String {
         listing::plan(layout, &self.description, file, &self.plan, part, self.members.len())
     }
 
     /// The limits of a family: those of time and steps in the file apply to a member on average.
-    pub(crate) fn limits(&self) -> Limits {
-        let Limits { time, memory, steps } = self.description.limits();
+    pub(crate) fn limits(&self) -> AnalysisLimits {
+        let AnalysisLimits { time, memory, steps } = self.description.limits();
         let members = self.members.len().max(1) as f64;
-        Limits { time: time * members, memory, steps: steps * members }
+        AnalysisLimits { time: time * members, memory, steps: steps * members }
     }
 
     /// The records of the members; none for those that were not finished.
@@ -145,7 +145,7 @@ impl Family {
         cause: Option<EndCause>,
         folder: &Path,
         edition: &Edition,
-    ) -> Result<Outcome, Failure> {
+    ) -> Result<CommandOutcome, Failure> {
         let (all, missing) = (records.len(), records.iter().filter(|record| record.is_none()).count());
         let (of, text) = self.named(terminal::layout(), file, records);
         let (_, mut files, floats) = FAMILY.made(&of, edition)?;
@@ -163,12 +163,12 @@ impl Family {
             ))),
         };
         let batches = vec![Batch { incomplete: missing > 0, ..Batch::run(folder, files) }];
-        Ok(Outcome { text, batches, next: Next::Look, failure, ..Outcome::default() })
+        Ok(CommandOutcome { text, batches, next: Next::Look, failure, ..CommandOutcome::default() })
     }
 }
 
 /// The constants that vary, checked.
-fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> {
+fn plan(vary: &[Variation], description: &Description) -> Result<FamilyPlan, Failure> {
     const MOST: usize = grazing_results::VARIED;
     if !(1..=MOST).contains(&vary.len()) {
         let count = vary.len();
@@ -177,7 +177,7 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
         )));
     }
     constants("--vary", vary.iter().map(|Variation(varied)| varied.name.as_str()), description)?;
-    let plan = Plan { varied: vary.iter().map(|Variation(varied)| varied.clone()).collect() };
+    let plan = FamilyPlan { varied: vary.iter().map(|Variation(varied)| varied.clone()).collect() };
     let count = plan.varied.iter().try_fold(1_usize, |count, varied| count.checked_mul(varied.values.len()));
     match count {
         Some(count) if count <= MOST_MEMBERS => Ok(plan),
@@ -187,8 +187,8 @@ fn plan(vary: &[Variation], description: &Description) -> Result<Plan, Failure> 
 
 /// Some members, each with its number; all are read and checked before anything is computed.
 fn members(
-    origin: &Origin,
-    plan: &Plan,
+    origin: &FamilyOrigin,
+    plan: &FamilyPlan,
     which: Range<usize>,
     stop: &Stop,
 ) -> Result<Vec<(usize, Description)>, Failure> {

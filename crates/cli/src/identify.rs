@@ -3,20 +3,20 @@
 use std::path::Path;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_input::{Description, Limits};
-use grazing_measured::{Fit, Measurements, Seen, Task, identify, read};
+use grazing_input::{AnalysisLimits, Description};
+use grazing_measured::{Behaviour, Fit, IdentificationTask, Measurements, identify, read};
 use grazing_model::smooth::SmoothOscillator;
 use grazing_results::measured::Identified;
 use grazing_results::{Names, Tables, brief};
 use grazing_unfold::described::{Axes, Prepared};
 
-use crate::arguments::Identify;
+use crate::arguments::IdentifyArguments;
 use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, Batch};
 use crate::layout::Layout;
 use crate::oscillator::{OscillatorFile, constants, setup};
-use crate::runner::{Next, Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Next, Plan, Running};
 use crate::unfold::numbers::{heads, with_error};
 use crate::{data_page, tables, terminal};
 
@@ -29,9 +29,9 @@ const OUTPUT: &str = "identify";
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
-    let Identify { file, data, record, free, changes, limits, .. } = arguments;
-    let of = OscillatorFile::read(file, &changes.set, limits.over(Limits::USUAL))?;
+pub(crate) fn read(arguments: &IdentifyArguments) -> Result<Plan<'_>, Failure> {
+    let IdentifyArguments { file, data, record, free, changes, limits, .. } = arguments;
+    let of = OscillatorFile::read(file, &changes.set, limits.over(AnalysisLimits::USUAL))?;
     let of = of.looped(changes.loops.as_deref())?;
     let setup = setup(&of.description);
     let renamed = arguments.named.of(data.as_deref().or(record.as_deref()))?;
@@ -77,12 +77,12 @@ pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
         let set = identified.constants.iter();
         let set = set.map(|row| ("--set", format!("{}={}", row.constant, brief(row.value, VALUE))));
         let next = CommandLine::own("unfold").with(file.display()).options(set);
-        Ok(Outcome {
+        Ok(CommandOutcome {
             text: listing(terminal::layout(), &names, &fit, &identified, unused),
             batches: vec![Batch::run(folder, files)],
             next: if failure.is_none() { next.into() } else { Next::Nothing },
             failure,
-            ..Outcome::default()
+            ..CommandOutcome::default()
         })
     };
     let paths = Identified::TABLES.iter().map(|table| tables::path(table.name));
@@ -91,7 +91,7 @@ pub(crate) fn read(arguments: &Identify) -> Result<Plan<'_>, Failure> {
 
 /// The number of measurements without a bifurcation.
 fn unused(measured: &Measurements) -> usize {
-    measured.points.iter().filter(|point| !matches!(point.seen, Seen::Bifurcation { .. })).count()
+    measured.points.iter().filter(|point| !matches!(point.seen, Behaviour::Bifurcation { .. })).count()
 }
 
 /// Refuses a record in which impacts speed the motion up, unless the restitution in the file does so.
@@ -130,7 +130,7 @@ fn identified(
         }
         Some(own.counted(at, &units, stop))
     };
-    let task = Task { rig: &rig, names, start, scope: &scope, units };
+    let task = IdentificationTask { rig: &rig, names, start, scope: &scope, units };
     identify(&task, measured, &**running.progress()).map_err(|error| error.to_string())
 }
 

@@ -12,18 +12,19 @@ mod claims;
 pub mod codecheck;
 pub mod commands;
 pub mod compare;
+mod completions;
 mod data_page;
 pub mod examples;
 mod explore;
-mod exported;
+mod export;
 pub mod failure;
 pub mod family;
 pub mod folder;
 mod identify;
-mod installed;
 pub mod layout;
 pub mod library;
 mod limits;
+mod manual;
 mod new;
 mod oscillator;
 pub mod outputs;
@@ -34,6 +35,7 @@ mod readme;
 mod report;
 pub mod reproduce;
 mod runner;
+mod schema;
 mod signals;
 mod system;
 pub mod tables;
@@ -71,16 +73,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         Command::Merge(arguments) => runner::run(|| family::merge(arguments), None),
         Command::Schema(arguments) => {
-            installed::schema(arguments);
+            schema::run(arguments);
             Ok(())
         }
-        Command::Export(arguments) => runner::run(|| exported::read(arguments), None),
+        Command::Export(arguments) => runner::run(|| export::read(arguments), None),
         Command::New(arguments) => new::run(arguments),
         Command::Archive(arguments) => archive::run(arguments),
         Command::Completions(arguments) => {
-            installed::completions(arguments);
+            completions::run(arguments);
             Ok(())
         }
-        Command::Manual(arguments) => runner::run(|| installed::manual(arguments), None),
+        Command::Manual(arguments) => runner::run(|| manual::read(arguments), None),
     }
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use grazing_beyond::parameters;
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Figure, Model, Seen, View, Wanted};
-use grazing_input::{Description, Limits, Setting, Text, nearest, suggestion};
+use grazing_input::{AnalysisLimits, Description, Setting, Text, nearest, suggestion};
 use grazing_model::smooth::Stop;
 use grazing_reproduction::Study;
 use grazing_results::place::briefly;
@@ -20,15 +20,15 @@ use grazing_unfold::place::simulated;
 
 use crate::explore::drawn;
 use crate::failure::Failure;
-use crate::family::{Family, Origin};
+use crate::family::{FamilyMembers, FamilyOrigin};
 use crate::layout::Layout;
 use crate::limits::{ended, reading};
 use crate::oscillator::OscillatorFile;
 use crate::outputs::family::FAMILY;
 use crate::outputs::{ComputedOutput, paper};
 use crate::project::{PARAMETERS, PARAMETERS_TEXT};
-pub use crate::runner::Report;
 use crate::runner::Running;
+pub use crate::runner::StartProgress;
 use crate::unfold::{self, listing, page, places};
 use crate::variation::Variation;
 
@@ -47,13 +47,13 @@ pub struct Results {
 }
 
 /// An oscillator, its file's name in messages, and the receiver of progress.
-pub struct Task<'a> {
+pub struct LibraryTask<'a> {
     /// The oscillator.
     pub model: &'a Model,
     /// The name of its file.
     pub file: &'a str,
     /// The receiver of progress.
-    pub report: Report<'a>,
+    pub report: StartProgress<'a>,
 }
 
 impl Results {
@@ -70,14 +70,14 @@ impl Results {
     }
 }
 
-impl Task<'_> {
+impl LibraryTask<'_> {
     /// Reads and checks the oscillator.
     fn read(&self, view: Option<&View>) -> Result<OscillatorFile, Failure> {
         let read = |stop: &Stop| {
             (self.report)(stop.clone());
             self.model.read(self.file, view, stop)
         };
-        let (description, taken) = reading(Path::new(self.file), Limits::USUAL, read)?;
+        let (description, taken) = reading(Path::new(self.file), AnalysisLimits::USUAL, read)?;
         let (text, settings) = (self.model.written().to_owned(), self.model.settings(view)?);
         Ok(OscillatorFile { file: PathBuf::from(self.file), text, settings, description, taken })
     }
@@ -113,7 +113,7 @@ impl Task<'_> {
         let of = self.read(view)?;
         let head = listing::oscillator(Layout::default(), &of.description, &of.file);
         let running = self.running(&of);
-        let task = unfold::Task { of, measured: None, at: Vec::new() };
+        let task = unfold::UnfoldTask { of, measured: None, at: Vec::new() };
         let found = unfold::unfold(task, &|of, stop| self.prepared(of, stop), &running, &|_| ())?;
         let (analysed, description) = (&found.analysed, &found.analysed.oscillator.description);
         let unfolded = &analysed.unfolded;
@@ -183,13 +183,13 @@ impl Task<'_> {
     pub fn family(&self, vary: &[Variation]) -> Result<Results, Failure> {
         let settings = self.model.settings(None)?.iter().map(ToString::to_string).collect();
         let text = self.model.written().to_owned();
-        let origin = Origin::new(self.file.to_owned(), text, settings, self.model.loops.clone());
+        let origin = FamilyOrigin::new(self.file.to_owned(), text, settings, self.model.loops.clone());
         let file = Path::new(self.file);
         let read = |stop: &Stop| {
             (self.report)(stop.clone());
-            Family::read(&origin, vary, None, stop)
+            FamilyMembers::read(&origin, vary, None, stop)
         };
-        let (family, taken) = reading(file, Limits::USUAL, read)?;
+        let (family, taken) = reading(file, AnalysisLimits::USUAL, read)?;
         let running = Running::begin(Some((family.limits(), taken)), self.report);
         let found = family.records(&running);
         let (missing, all) = (found.iter().filter(|record| record.is_none()).count(), found.len());
@@ -218,7 +218,7 @@ pub fn outputs_of_the_paper() -> impl Iterator<Item = (&'static str, String)> {
 ///
 /// # Errors
 /// There is no such output, or it cannot be computed with these values.
-pub fn paper(name: &str, settings: &[Setting], report: Report<'_>) -> Result<Results, Failure> {
+pub fn paper(name: &str, settings: &[Setting], report: StartProgress<'_>) -> Result<Results, Failure> {
     let Some(output) = paper::ALL.iter().find(|output| output.name == name) else {
         let known: Vec<&str> = paper::ALL.iter().map(|output| output.name).collect();
         let near = suggestion(nearest(name, &known));

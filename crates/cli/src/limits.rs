@@ -15,7 +15,7 @@ use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::Duration;
 
-use grazing_input::Limits;
+use grazing_input::AnalysisLimits;
 use grazing_model::smooth::Stop;
 
 use crate::failure::{self, Failure};
@@ -117,7 +117,7 @@ pub(crate) struct Watch(Arc<Watched>);
 /// The state that the thread watches.
 struct Watched {
     stop: Stop,
-    limits: Limits,
+    limits: AnalysisLimits,
     began: Duration,
     /// The time that was taken before.
     taken: Duration,
@@ -128,7 +128,7 @@ struct Watched {
 
 impl Watch {
     /// Begins to watch over something that has already taken this time.
-    pub(crate) fn begin(limits: Limits, taken: Duration) -> Self {
+    pub(crate) fn begin(limits: AnalysisLimits, taken: Duration) -> Self {
         // The number of steps is a whole number, and a limit beyond all counts is no limit.
         let stop = Stop::after(limits.steps as u64);
         let (met, address_space) = (OnceLock::new(), address_space());
@@ -173,7 +173,7 @@ impl Watched {
     }
 
     fn look(&self) -> Option<EndCause> {
-        let Limits { time, memory, .. } = self.limits;
+        let AnalysisLimits { time, memory, .. } = self.limits;
         if is_interrupted() {
             Some(EndCause::Interruption)
         } else if self.taken().as_secs_f64() > time {
@@ -194,10 +194,10 @@ impl Watched {
 /// The file is wrong, or a limit was reached.
 pub(crate) fn reading<T>(
     file: &Path,
-    limits: Limits,
+    limits: AnalysisLimits,
     read: impl FnOnce(&Stop) -> Result<T, Failure>,
 ) -> Result<(T, Duration), Failure> {
-    let watch = Watch::begin(Limits { steps: f64::INFINITY, ..limits }, Duration::ZERO);
+    let watch = Watch::begin(AnalysisLimits { steps: f64::INFINITY, ..limits }, Duration::ZERO);
     match read(&watch.stop()) {
         Ok(read) => Ok((read, watch.taken())),
         Err(failure) => Err(match watch.end_cause() {
@@ -210,12 +210,12 @@ pub(crate) fn reading<T>(
 }
 
 /// Whether the process may hold so many megabytes more.
-pub(crate) fn has_room(limits: Option<Limits>, megabytes: f64) -> bool {
+pub(crate) fn has_room(limits: Option<AnalysisLimits>, megabytes: f64) -> bool {
     limits.is_none_or(|limits| held().is_none_or(|held| held + megabytes <= limits.memory))
 }
 
 /// The failure of a run without these pictures, for which there is no room.
-pub(crate) fn no_room(file: &Path, limits: Option<Limits>, pictures: &[PathBuf]) -> Failure {
+pub(crate) fn no_room(file: &Path, limits: Option<AnalysisLimits>, pictures: &[PathBuf]) -> Failure {
     let names: Vec<String> = pictures.iter().map(|path| path.display().to_string()).collect();
     Failure::incomplete(format!(
         "{}: {} would take more than the memory limit of {} MB and {} not drawn (choose a lower --dpi, or raise it with memory_limit in [analysis] or --memory-limit); everything else is written",
@@ -227,7 +227,7 @@ pub(crate) fn no_room(file: &Path, limits: Option<Limits>, pictures: &[PathBuf])
 }
 
 /// A note if drawing and writing, which limits do not end, took more than these allow.
-pub(crate) fn note_excess(file: &Path, limits: Limits, taken: Duration) {
+pub(crate) fn note_excess(file: &Path, limits: AnalysisLimits, taken: Duration) {
     let (seconds, file) = (taken.as_secs_f64(), file.display());
     let what = "drawing and writing, which limits do not end";
     if seconds > limits.time {
@@ -259,11 +259,11 @@ fn holds_more_than(megabytes: f64) -> bool {
 mod tests {
     use super::*;
 
-    const AMPLE: Limits = Limits { time: 1e6, memory: 1e9, steps: 1e18 };
+    const AMPLE: AnalysisLimits = AnalysisLimits { time: 1e6, memory: 1e9, steps: 1e18 };
 
     /// The limit that is reached, and the time taken until then.
     #[track_caller]
-    fn met(limits: Limits) -> (EndCause, f64) {
+    fn met(limits: AnalysisLimits) -> (EndCause, f64) {
         let watch = Watch::begin(limits, Duration::ZERO);
         // Only computation takes CPU time.
         while !watch.stop().is_asked() {
@@ -274,17 +274,17 @@ mod tests {
 
     #[test]
     fn time_and_memory_end_an_analysis_and_are_named() {
-        let (cause, taken) = met(Limits { time: 0.05, ..AMPLE });
+        let (cause, taken) = met(AnalysisLimits { time: 0.05, ..AMPLE });
         assert!(cause == EndCause::Time(0.05) && taken > 0.05, "{cause:?} {taken}");
         assert!(cause.to_string().contains("0.05 s of CPU time") || cfg!(not(unix)), "{cause}");
         if held().is_some() {
-            assert_eq!(met(Limits { memory: 0.1, ..AMPLE }).0, EndCause::Memory(0.1));
+            assert_eq!(met(AnalysisLimits { memory: 0.1, ..AMPLE }).0, EndCause::Memory(0.1));
         }
     }
 
     #[test]
     fn time_that_was_taken_before_counts() {
-        let watch = Watch::begin(Limits { time: 100.0, ..AMPLE }, Duration::from_secs(101));
+        let watch = Watch::begin(AnalysisLimits { time: 100.0, ..AMPLE }, Duration::from_secs(101));
         while !watch.stop().is_asked() {
             thread::sleep(PAUSE);
         }

@@ -14,7 +14,7 @@ use crate::terminal;
 ///
 /// # Errors
 /// The file exists already, or it cannot be written.
-pub(crate) fn run(arguments: &arguments::New) -> Result<(), Failure> {
+pub(crate) fn run(arguments: &arguments::NewArguments) -> Result<(), Failure> {
     let file = &arguments.file;
     let kind = kinds().find(|kind| kind.name == arguments.kind);
     let kind =

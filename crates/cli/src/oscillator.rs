@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use grazing_input::{Description, DescriptionError, Limits, Setting, Text, nearest, suggestion};
+use grazing_input::{AnalysisLimits, Description, DescriptionError, Setting, Text, nearest, suggestion};
 use grazing_measured::Setup;
 use grazing_model::smooth::Stop;
 use grazing_unfold::described::Prepared;
@@ -29,7 +29,7 @@ impl OscillatorFile {
     ///
     /// # Errors
     /// The file cannot be read, something in it is wrong, or a limit was reached.
-    pub(crate) fn read(file: &Path, set: &[Setting], limits: Limits) -> Result<Self, Failure> {
+    pub(crate) fn read(file: &Path, set: &[Setting], limits: AnalysisLimits) -> Result<Self, Failure> {
         let (text, settings) = (read_text(file)?, settings(set));
         let (named, set) = (file.display().to_string(), Text::new(&text, &settings));
         let read = |stop: &Stop| Ok(Description::parse_with(&set, &named, stop)?);

@@ -68,7 +68,7 @@ const COEFFICIENT_COLUMNS: PrintedTable = (
 /// A computed output.
 #[derive(Default)]
 pub(crate) struct ComputedOutput {
-    pub(crate) figures: Vec<Figure>,
+    pub(crate) figures: Vec<DrawnFigure>,
     pub(crate) tables: Vec<Table>,
     /// Sentences about what is shown in another way than requested.
     pub(crate) notes: Vec<String>,
@@ -82,7 +82,7 @@ pub(crate) struct ComputedOutput {
 type MadeOutput = (ComputedOutput, Vec<OutputFile>, Vec<Float>);
 
 /// A figure of an output.
-pub(crate) struct Figure {
+pub(crate) struct DrawnFigure {
     /// The file of its SVG.
     pub(crate) file: String,
     pub(crate) sheet: Sheet,
@@ -93,7 +93,7 @@ pub(crate) struct Figure {
     pub(crate) only: Option<(Column, Vec<u32>)>,
 }
 
-impl Figure {
+impl DrawnFigure {
     /// A figure computed from the file `of`, which shows all rows of its tables.
     pub(crate) fn new(
         of: &Path,
@@ -210,7 +210,7 @@ pub(crate) type FilesWithin = (Vec<OutputFile>, Vec<Float>, Vec<PathBuf>);
 
 impl ComputedOutput {
     /// An output of figures and tables alone.
-    pub(crate) fn new(figures: Vec<Figure>, tables: Vec<Table>) -> Self {
+    pub(crate) fn new(figures: Vec<DrawnFigure>, tables: Vec<Table>) -> Self {
         Self { figures, tables, ..Self::default() }
     }
 
@@ -243,7 +243,7 @@ impl ComputedOutput {
     pub(crate) fn files_within(&self, edition: &Edition, room: &Room<'_>) -> Result<FilesWithin, Failure> {
         let (mut files, mut floats, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
         let has_latex = edition.has(Format::Tex);
-        for Figure { file, sheet, caption, .. } in &self.figures {
+        for DrawnFigure { file, sheet, caption, .. } in &self.figures {
             let made = edition.figure_files(file, sheet, room);
             let (made, too_large) = made.map_err(|error| computation("figures", &error))?;
             files.extend(made);
@@ -270,7 +270,7 @@ impl ComputedOutput {
 
     /// The figures as entries of a page, each with the rows that it shows.
     pub(crate) fn entries(&self) -> impl Iterator<Item = FigureEntry> {
-        self.figures.iter().map(|Figure { file, sheet, caption, tables, only }| {
+        self.figures.iter().map(|DrawnFigure { file, sheet, caption, tables, only }| {
             let tables = tables.iter().filter_map(|name| self.table(name));
             FigureEntry {
                 name: file.trim_end_matches(".svg").to_owned(),

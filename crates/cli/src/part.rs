@@ -15,8 +15,8 @@ use crate::commands::CommandLine;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::limits::ended;
-use crate::runner::{Next, Outcome, Plan, Running};
-use crate::variation::Part;
+use crate::runner::{CommandOutcome, Next, Plan, Running};
+use crate::variation::PartNumber;
 use crate::versions;
 
 /// Work that can be divided: everything that determines the computation.
@@ -51,7 +51,7 @@ pub(crate) trait Divided: PartialEq + Serialize + DeserializeOwned {
 ///
 /// # Errors
 /// There are more parts than items.
-pub(crate) fn items<W: Divided>(part: Part, count: usize) -> Result<Range<usize>, Failure> {
+pub(crate) fn items<W: Divided>(part: PartNumber, count: usize) -> Result<Range<usize>, Failure> {
     let end = |number: usize| count * number / part.parts;
     if part.parts > count {
         let (is, items) = (W::IS, W::ITEMS);
@@ -73,21 +73,21 @@ struct PartFile<W: Divided> {
     program: String,
     /// The kind of work that the part belongs to.
     of: String,
-    part: Part,
+    part: PartNumber,
     work: W,
     #[serde(default = "Vec::new")]
     records: Vec<W::Record>,
 }
 
 /// The path of a part in the folder of the results.
-fn path(Part { part, parts }: Part) -> PathBuf {
+fn path(PartNumber { part, parts }: PartNumber) -> PathBuf {
     let digits = parts.to_string().len();
     Path::new(PARTS).join(format!("{part:0digits$}-of-{parts}.toml"))
 }
 
 /// The plan of a part of some work: `compute` returns the record of each item, none if it was not finished.
 pub(crate) fn plan<'a, W: Divided + 'a>(
-    part: Part,
+    part: PartNumber,
     work: W,
     folder: PathBuf,
     file: &'a Path,
@@ -105,7 +105,7 @@ pub(crate) fn plan<'a, W: Divided + 'a>(
         };
         let merge = CommandLine::own("merge").with_files(folder.join(PARTS).display(), "*.toml");
         let next = Next::Command(first, merge);
-        Ok(Outcome { next, ..Outcome::unlisted(vec![made(part, work, records)?], folder)? })
+        Ok(CommandOutcome { next, ..CommandOutcome::unlisted(vec![made(part, work, records)?], folder)? })
     };
     Plan::new(complete, say).writing(folder, [path(part)])
 }
@@ -128,7 +128,7 @@ fn unsealed(content: &str) -> Option<&str> {
 ///
 /// # Errors
 /// The file is too long to be read again.
-fn made<W: Divided>(part: Part, work: W, records: Vec<W::Record>) -> Result<OutputFile, Failure> {
+fn made<W: Divided>(part: PartNumber, work: W, records: Vec<W::Record>) -> Result<OutputFile, Failure> {
     let file = PartFile { program: versions::program(), of: W::IS.to_owned(), part, work, records };
     let text = toml::to_string(&file).map_err(|error| Failure::incomplete(error.to_string()))?;
     let content = sealed(&text).into_bytes();
@@ -207,7 +207,7 @@ pub(crate) fn joined<W: Divided>(paths: &[PathBuf]) -> Result<Joined<W>, Failure
     for path in paths {
         let refuse = |reason: String| Failure::input(format!("{}: {reason}", path.display()));
         let part = PartFile::read(path).map_err(refuse)?;
-        let Part { part: number, parts: count } = part.part;
+        let PartNumber { part: number, parts: count } = part.part;
         if let Some((first, other)) = found.first()
             && (&part.work, count) != (&other.work, other.part.parts)
         {

@@ -5,20 +5,20 @@ mod oscillators;
 
 use std::path::{Path, PathBuf};
 
-use grazing_report::{Counts, FileDigest, Manifest, Part, TableOutput, page};
+use grazing_report::{Counts, FiguresAndTables, FileDigest, Manifest, Report, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
-use grazing_results::title::Place;
+use grazing_results::title::TitleSubject;
 use grazing_unfold::progress::Progress;
 
-use crate::arguments::Report;
+use crate::arguments::ReportArguments;
 use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, Batch, OutputFile};
 use crate::oscillator::{OscillatorFile, file_name, noted};
 use crate::outputs::edition::Edition;
 use crate::outputs::paper;
-use crate::runner::{Next, Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Next, Plan, Running};
 use crate::unfold::FIGURES;
 use crate::{claims, project, versions};
 
@@ -26,30 +26,30 @@ use crate::{claims, project, versions};
 ///
 /// # Errors
 /// Bad input, or the page cannot be written.
-pub(crate) fn read(arguments: &Report) -> Result<Plan<'_>, Failure> {
+pub(crate) fn read(arguments: &ReportArguments) -> Result<Plan<'_>, Failure> {
     let parameters = project::parameters(&arguments.parameters)?;
     paper::refuse_malformed(paper::ALL.iter(), &Study::new(&parameters))?;
     let (folder, name) = place(&arguments.output)?;
     let sources = OscillatorFile::all(project::root().as_deref(), &arguments.oscillators)?;
     let all = paper::ALL.len() + sources.len();
     let compute = move |running: &Running<'_>| assemble(arguments, &parameters, &sources, running);
-    let say = move |report: grazing_report::Report<'_>, folder: &Path| {
+    let say = move |report: Report<'_>, folder: &Path| {
         let missing = report.missing.len();
         let batch = written(&report, folder, name);
-        Ok(Outcome {
+        Ok(CommandOutcome {
             remark: summary(&report, &batch),
             batches: vec![batch],
             next: Next::Look,
             notes: report.missing.iter().map(|reason| format!("error: {reason}")).collect(),
             failure: (missing > 0).then(|| Failure::partial(missing, all)),
-            ..Outcome::default()
+            ..CommandOutcome::default()
         })
     };
     Ok(Plan::new(compute, say).writing(folder, []))
 }
 
 /// The page in a folder; one with something missing does not replace a complete one.
-fn written(report: &grazing_report::Report<'_>, folder: &Path, name: PathBuf) -> Batch {
+fn written(report: &Report<'_>, folder: &Path, name: PathBuf) -> Batch {
     let files = vec![OutputFile { path: name, content: page(report).into_bytes() }];
     Batch { incomplete: !report.missing.is_empty(), ..Batch::unlisted(folder, files) }
 }
@@ -73,11 +73,11 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
 
 /// The content of the page.
 fn assemble(
-    arguments: &Report,
+    arguments: &ReportArguments,
     parameters: &Parameters,
     oscillators: &[OscillatorFile],
     running: &Running<'_>,
-) -> Result<grazing_report::Report<'static>, Failure> {
+) -> Result<Report<'static>, Failure> {
     let repository = project::root();
     let root = repository.as_deref().and_then(links::files_at_host);
     let (mut entries, mut missing) = (Vec::new(), Vec::new());
@@ -92,7 +92,8 @@ fn assemble(
     }
     oscillators::distinguish(entries.iter_mut().map(|entry| &mut entry.id));
     let study = Study::new(parameters).with_progress(running.progress().clone());
-    let (mut of_the_paper, mut beyond, mut digests) = (Part::default(), Part::default(), Vec::new());
+    let (mut of_the_paper, mut beyond, mut digests) =
+        (FiguresAndTables::default(), FiguresAndTables::default(), Vec::new());
     let progress: &dyn Progress = &**running.progress();
     progress.begin(FIGURES, paper::ALL.len() as u64);
     for output in paper::ALL {
@@ -108,7 +109,7 @@ fn assemble(
         missing.extend(computed.gaps.iter().map(|gap| format!("{}: shown, but {gap}", output.name)));
         digests
             .extend(files.iter().map(|file| FileDigest::of(file.path.display().to_string(), &file.content)));
-        let part = if output.title.place == Place::Beyond { &mut beyond } else { &mut of_the_paper };
+        let part = if output.title.place == TitleSubject::Beyond { &mut beyond } else { &mut of_the_paper };
         if computed.figures.is_empty() {
             let (name, title) = (output.name.to_owned(), output.title.owned());
             part.tables.push(TableOutput { name, title, tables: computed.tables });
@@ -119,7 +120,7 @@ fn assemble(
     progress.end(FIGURES);
     // Their names are numbered as in the paper; the registry has them in the order in which they
     // are best made.
-    let Part { mut figures, tables } = of_the_paper;
+    let FiguresAndTables { mut figures, tables } = of_the_paper;
     figures.sort_by(|a, b| a.name.cmp(&b.name));
     let published = published(&study).unwrap_or_else(|failure| {
         missing.push(failure.to_string());
@@ -129,7 +130,7 @@ fn assemble(
     let claims = claims::findings(parameters, &all, progress)?;
     let default = arguments.parameters.file.is_none() && arguments.parameters.set.is_empty();
     let (file, text) = project::parameter_file(arguments.parameters.file.as_deref())?;
-    Ok(grazing_report::Report {
+    Ok(Report {
         figures,
         tables,
         beyond,
@@ -155,7 +156,7 @@ fn assemble(
 }
 
 /// A summary of the page, and its path.
-fn summary(report: &grazing_report::Report<'_>, batch: &Batch) -> String {
+fn summary(report: &Report<'_>, batch: &Batch) -> String {
     let (path, size) = match batch.files.as_slice() {
         [file, ..] => (batch.place().join(&file.path), file.content.len()),
         [] => (batch.place(), 0),
@@ -186,7 +187,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder can be made");
         let write = |missing: &[&str]| {
             let missing = missing.iter().map(|reason| (*reason).to_owned()).collect();
-            let report = grazing_report::Report { missing, ..Default::default() };
+            let report = Report { missing, ..Default::default() };
             let batch = written(&report, folder.path(), PathBuf::from("report.html"));
             batch.write().expect("the folder is ours");
             batch.place().join("report.html")

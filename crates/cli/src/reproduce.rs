@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use grazing_claims::published::Tally;
 use grazing_report::FileDigest;
-use grazing_reproduction::{Coefficients, Study};
+use grazing_reproduction::{ComparedCoefficients, Study};
 use grazing_unfold::progress::{Progress, Silent};
 
-use crate::arguments::{ParameterFile, Reproduce};
+use crate::arguments::{ParameterFile, ReproduceArguments};
 use crate::commands::CommandLine;
 use crate::compare::published;
 use crate::failure::Failure;
@@ -16,7 +16,7 @@ use crate::folder::{self, Batch, Listed, OutputFile, counted};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex::{self, Float};
 use crate::outputs::{Output, paper};
-use crate::runner::{Next, Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Next, Plan, Running};
 use crate::unfold::FIGURES;
 use crate::{codecheck, data_page, project, readme, terminal};
 
@@ -29,7 +29,7 @@ const KNOWN: &[&str] = &["parameters.toml", folder::MANIFEST];
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &Reproduce) -> Result<Plan<'_>, Failure> {
+pub(crate) fn read(arguments: &ReproduceArguments) -> Result<Plan<'_>, Failure> {
     let (edition, set) = (arguments.look.edition(), &arguments.parameters.set);
     let parameters = project::parameters(&arguments.parameters)?;
     let folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
@@ -68,8 +68,8 @@ pub fn files(study: &Study, edition: &Edition) -> Result<Vec<OutputFile>, Failur
 }
 
 /// The failure if theorem and curve contradict each other at a resonance.
-fn verdict_on_theorem(rows: &[Coefficients]) -> Result<(), Failure> {
-    if !rows.iter().any(Coefficients::contradict) {
+fn verdict_on_theorem(rows: &[ComparedCoefficients]) -> Result<(), Failure> {
+    if !rows.iter().any(ComparedCoefficients::contradict) {
         return Ok(());
     }
     Err(Failure::check(
@@ -139,12 +139,12 @@ impl Outputs {
     /// The files of all that was computed, and of a whole run also those at the root of the repository.
     fn outcome(
         self,
-        arguments: &Reproduce,
+        arguments: &ReproduceArguments,
         chosen: &[&Output<Study>],
         study: &Study,
         folder: &Path,
-    ) -> Result<Outcome, Failure> {
-        let Reproduce { only, check, parameters, look, output, .. } = arguments;
+    ) -> Result<CommandOutcome, Failure> {
+        let ReproduceArguments { only, check, parameters, look, output, .. } = arguments;
         let (edition, is_varied) = (look.edition(), !parameters.set.is_empty());
         let (is_run, incomplete) = (only.is_empty(), !self.missing.is_empty());
         let mut files = self.files.clone();
@@ -157,7 +157,7 @@ impl Outputs {
         let results = Batch { listed, incomplete, beside, ..Batch::run(folder, files) };
         let (notes, failure) = self.missing(chosen, &results.place());
         if self.computed.is_empty() {
-            return Ok(Outcome { notes, failure, ..Outcome::default() });
+            return Ok(CommandOutcome { notes, failure, ..CommandOutcome::default() });
         }
         let mut batches = vec![results];
         if is_run && edition.is_default() && output.is_none() && !is_varied {
@@ -172,7 +172,7 @@ impl Outputs {
         let has_coefficients = chosen.iter().any(|output| output.name == paper::COEFFICIENTS.name);
         let coefficients = if has_coefficients { study.coefficients().ok() } else { None };
         let theorem = coefficients.and_then(|table| verdict_on_theorem(&table.rows).err());
-        Ok(Outcome {
+        Ok(CommandOutcome {
             batches,
             check: check.then(|| mending_command(arguments, &edition)),
             pictures: true,
@@ -183,7 +183,7 @@ impl Outputs {
             },
             notes,
             failure: failure.or(theorem),
-            ..Outcome::default()
+            ..CommandOutcome::default()
         })
     }
 
@@ -230,7 +230,7 @@ fn origin(parameters: &ParameterFile) -> Result<String, Failure> {
 }
 
 /// The command that writes the files of this check.
-fn mending_command(arguments: &Reproduce, edition: &Edition) -> CommandLine {
+fn mending_command(arguments: &ReproduceArguments, edition: &Edition) -> CommandLine {
     let folder = arguments.output.iter().map(|folder| ("--output", folder.display()));
     CommandLine::own("reproduce")
         .options(arguments.only.iter().map(|name| ("--only", name)))
@@ -272,7 +272,7 @@ mod tests {
                 velocity: 0.01,
             }),
         };
-        let row = |measured| Coefficients {
+        let row = |measured| ComparedCoefficients {
             loops: 1,
             n: 3,
             frequency: 0.5,

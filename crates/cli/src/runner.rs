@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use grazing_input::Limits;
+use grazing_input::AnalysisLimits;
 use grazing_model::smooth::Stop;
 use grazing_unfold::progress::Progress;
 
@@ -35,17 +35,17 @@ pub(crate) struct Plan<'a> {
 }
 
 /// Computes results and presents them, for a folder.
-type Work<'a> = Box<dyn FnOnce(&Running<'_>, &Path) -> Result<Outcome, Failure> + 'a>;
+type Work<'a> = Box<dyn FnOnce(&Running<'_>, &Path) -> Result<CommandOutcome, Failure> + 'a>;
 
 /// Limits, and the time of which reading has taken from them.
-pub(crate) type Spent = (Limits, Duration);
+pub(crate) type Spent = (AnalysisLimits, Duration);
 
 impl<'a> Plan<'a> {
     /// A task that `compute` does and of which `say` presents the results, for the folder in which they are to be written. It has no
     /// limits, and writes no files.
     pub(crate) fn new<R>(
         compute: impl FnOnce(&Running<'_>) -> Result<R, Failure> + 'a,
-        say: impl FnOnce(R, &Path) -> Result<Outcome, Failure> + 'a,
+        say: impl FnOnce(R, &Path) -> Result<CommandOutcome, Failure> + 'a,
     ) -> Self {
         let work = |running: &Running<'_>, folder: &Path| say(compute(running)?, folder);
         Self {
@@ -91,19 +91,19 @@ impl<'a> Plan<'a> {
 }
 
 /// Receives the mark that cancels the computation that begins, and returns the receiver of its progress.
-pub type Report<'a> = &'a dyn Fn(Stop) -> Box<dyn Progress + Send>;
+pub type StartProgress<'a> = &'a dyn Fn(Stop) -> Box<dyn Progress + Send>;
 
 /// A computation under way: its limits, and the receiver of its progress.
 pub(crate) struct Running<'a> {
     limits: Option<Spent>,
-    report: Report<'a>,
+    report: StartProgress<'a>,
     watch: Option<Watch>,
     progress: Arc<dyn Progress + Send>,
 }
 
 impl<'a> Running<'a> {
     /// Begins a computation within limits, or without.
-    pub(crate) fn begin(limits: Option<Spent>, report: Report<'a>) -> Self {
+    pub(crate) fn begin(limits: Option<Spent>, report: StartProgress<'a>) -> Self {
         let watch = limits.map(|(limits, taken)| Watch::begin(limits, taken));
         let progress = Arc::from(report(watch.as_ref().map_or(Stop::default(), Watch::stop)));
         Self { limits, report, watch, progress }
@@ -124,7 +124,7 @@ impl<'a> Running<'a> {
     }
 
     /// The limits, if there are any.
-    pub(crate) fn limits(&self) -> Option<Limits> {
+    pub(crate) fn limits(&self) -> Option<AnalysisLimits> {
         self.limits.map(|(limits, _)| limits)
     }
 
@@ -141,7 +141,7 @@ impl<'a> Running<'a> {
 
 /// Text and files in which a command ends.
 #[derive(Default)]
-pub(crate) struct Outcome {
+pub(crate) struct CommandOutcome {
     /// Results that are laid out and may have colours.
     pub(crate) coloured: String,
     /// Results.
@@ -263,7 +263,7 @@ impl Plan<'_> {
     }
 }
 
-impl Outcome {
+impl CommandOutcome {
     /// The outcome of files alone, which no list names.
     ///
     /// # Errors

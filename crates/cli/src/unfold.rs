@@ -12,7 +12,7 @@ pub(crate) mod reason;
 
 use std::path::{Path, PathBuf};
 
-use grazing_input::Limits;
+use grazing_input::AnalysisLimits;
 use grazing_measured::{NOT_FINISHED, Observation, compare, read};
 use grazing_model::smooth::{SmoothOscillator, Stop};
 use grazing_results::place::AtPlace;
@@ -30,7 +30,7 @@ use crate::oscillator::{OscillatorFile, setup};
 use crate::outputs::accompanying;
 use crate::outputs::edition::Edition;
 use crate::outputs::oscillator::{self, AnalysedOscillator};
-use crate::runner::{Next, Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Next, Plan, Running};
 use crate::{data_page, terminal};
 use analysis::analyse;
 use keeper::Keeper;
@@ -44,7 +44,7 @@ pub(crate) const FIGURES: &str = "figures and tables";
 const FILES: &str = "conversion of figures and tables";
 
 /// An oscillator that is to be unfolded.
-pub(crate) struct Task {
+pub(crate) struct UnfoldTask {
     pub(crate) of: OscillatorFile,
     pub(crate) measured: Option<Vec<Observation>>,
     /// Places at which motion is simulated.
@@ -52,7 +52,7 @@ pub(crate) struct Task {
 }
 
 /// An oscillator that was unfolded.
-pub(crate) struct Diagram {
+pub(crate) struct UnfoldResults {
     pub(crate) analysed: AnalysedOscillator,
     /// The cause that ended the computation, if anything is missing.
     pub(crate) met: Option<EndCause>,
@@ -66,7 +66,7 @@ pub(crate) struct Diagram {
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &arguments::Unfold) -> Result<Vec<Plan<'_>>, Failure> {
+pub(crate) fn read(arguments: &arguments::UnfoldArguments) -> Result<Vec<Plan<'_>>, Failure> {
     if arguments.data.is_some() && arguments.files.len() > 1 {
         return Err(Failure::input(
             "--data belongs to one oscillator: name one file, and run the command again for the next",
@@ -75,7 +75,7 @@ pub(crate) fn read(arguments: &arguments::Unfold) -> Result<Vec<Plan<'_>>, Failu
     Ok(tasks(arguments)?.into_iter().map(|(task, folder)| plan(task, folder, arguments)).collect())
 }
 
-fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> {
+fn plan(task: UnfoldTask, folder: PathBuf, arguments: &arguments::UnfoldArguments) -> Plan<'_> {
     let edition = arguments.look.edition();
     let paths = oscillator::ALL.iter().flat_map(|output| output.paths(&edition));
     let paths: Vec<PathBuf> = paths.chain([PathBuf::from(PAGE)]).chain(keeper::paths()).collect();
@@ -100,7 +100,7 @@ fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> 
         let incomplete = diagram.met.is_some() || !left_out.is_empty();
         Ok((diagram, files, incomplete, failure))
     };
-    let say = |(diagram, files, incomplete, failure): (Diagram, _, _, _), folder: &Path| {
+    let say = |(diagram, files, incomplete, failure): (UnfoldResults, _, _, _), folder: &Path| {
         let layout = terminal::layout();
         let mut text = diagram.listing(layout);
         if arguments.explain {
@@ -108,23 +108,23 @@ fn plan(task: Task, folder: PathBuf, arguments: &arguments::Unfold) -> Plan<'_> 
             text.push_str(&explanation::all(layout, &oscillator.description, unfolded));
             text.push_str(&explanation::steps(layout, diagram.motion.by_purpose()));
         }
-        Ok(Outcome {
+        Ok(CommandOutcome {
             text,
             batches: vec![Batch { incomplete, ..Batch::run(folder, files) }],
             obsolete: keeper::paths().map(|path| folder.join(path)).into(),
             next: Next::Look,
             failure,
-            ..Outcome::default()
+            ..CommandOutcome::default()
         })
     };
     Plan::new(compute, say).within(&file, limits).headed(heading).writing_run(folder, paths)
 }
 
 /// The files with what they describe, and the folders of their results, all of them different.
-fn tasks(arguments: &arguments::Unfold) -> Result<Vec<(Task, PathBuf)>, Failure> {
-    let mut tasks: Vec<(Task, PathBuf)> = Vec::new();
+fn tasks(arguments: &arguments::UnfoldArguments) -> Result<Vec<(UnfoldTask, PathBuf)>, Failure> {
+    let mut tasks: Vec<(UnfoldTask, PathBuf)> = Vec::new();
     for file in &arguments.files {
-        let (changes, limits) = (&arguments.changes, arguments.limits.over(Limits::USUAL));
+        let (changes, limits) = (&arguments.changes, arguments.limits.over(AnalysisLimits::USUAL));
         let of = OscillatorFile::read(file, &changes.set, limits)?;
         let of = of.looped(changes.loops.as_deref())?;
         let named = folder::name_for(file);
@@ -154,7 +154,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<(Task, PathBuf)>, Failure>
                 return Err(Failure::input(format!("{}: {problem}", file.display())));
             }
         }
-        tasks.push((Task { of, measured, at: arguments.at.clone() }, folder));
+        tasks.push((UnfoldTask { of, measured, at: arguments.at.clone() }, folder));
     }
     Ok(tasks)
 }
@@ -165,12 +165,12 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<(Task, PathBuf)>, Failure>
 /// # Errors
 /// There is nothing to unfold.
 pub(crate) fn unfold(
-    task: Task,
+    task: UnfoldTask,
     prepare: &dyn Fn(&OscillatorFile, &Stop) -> Result<Prepared, Failure>,
     running: &Running<'_>,
     keep: Keep<'_>,
-) -> Result<Diagram, Failure> {
-    let Task { of, measured, at, .. } = task;
+) -> Result<UnfoldResults, Failure> {
+    let UnfoldTask { of, measured, at, .. } = task;
     // The mark of the analysis is not set by what comes after it, so that its oscillator still moves.
     let analysis = running.another(None);
     let motion = analysis.stop();
@@ -190,10 +190,10 @@ pub(crate) fn unfold(
     let missing = at[places.len()..].to_vec();
     let met = met.or_else(|| running.end_cause().filter(|_| unfinished || !missing.is_empty()));
     let analysed = AnalysedOscillator::new(of, unfolded).measured(compared).at(places);
-    Ok(Diagram { analysed, met, missing, motion })
+    Ok(UnfoldResults { analysed, met, missing, motion })
 }
 
-impl Diagram {
+impl UnfoldResults {
     /// All that was found, as lines.
     pub(crate) fn listing(&self, layout: Layout) -> String {
         let Self { analysed, missing, .. } = self;

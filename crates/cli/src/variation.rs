@@ -63,12 +63,12 @@ impl From<Variation> for String {
 /// A part of a family: `7/200` is the seventh of two hundred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
-pub struct Part {
+pub struct PartNumber {
     pub(crate) part: usize,
     pub(crate) parts: usize,
 }
 
-impl FromStr for Part {
+impl FromStr for PartNumber {
     type Err = String;
 
     fn from_str(written: &str) -> Result<Self, String> {
@@ -80,7 +80,7 @@ impl FromStr for Part {
     }
 }
 
-impl TryFrom<String> for Part {
+impl TryFrom<String> for PartNumber {
     type Error = String;
 
     fn try_from(written: String) -> Result<Self, String> {
@@ -88,13 +88,13 @@ impl TryFrom<String> for Part {
     }
 }
 
-impl From<Part> for String {
-    fn from(part: Part) -> Self {
+impl From<PartNumber> for String {
+    fn from(part: PartNumber) -> Self {
         part.to_string()
     }
 }
 
-impl Display for Part {
+impl Display for PartNumber {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}/{}", self.part, self.parts)
     }

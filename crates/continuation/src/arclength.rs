@@ -10,7 +10,7 @@
 //!
 //! The system stays regular at folds. The engine has no notion of what the curve means: the caller
 //! handles events and diagnostics, and either advances the curve point by point or has it followed
-//! from end to end ([`Walk`]).
+//! from end to end ([`Traversal`]).
 
 use core::f64::consts::TAU;
 use core::fmt;
@@ -287,7 +287,7 @@ pub fn across<C: CurveEquations<Carried: Default>>(
     near: C::Point,
     direction: &C::Point,
     through: &C::Point,
-) -> Option<newton::Solution<C::Point>> {
+) -> Option<newton::Root<C::Point>> {
     let mut carried = C::Carried::default();
     let found = newton::solve(near, EVALUATIONS, |point| {
         let system = equations.evaluate(point, &mut carried)?;
@@ -302,7 +302,7 @@ pub fn across<C: CurveEquations<Carried: Default>>(
 pub(crate) fn zero_on<T, C: CurveEquations<Carried: Default>>(
     equations: &C,
     [a, b]: [C::Point; 2],
-    measure: impl Fn(newton::Solution<C::Point>) -> Option<(T, f64)>,
+    measure: impl Fn(newton::Root<C::Point>) -> Option<(T, f64)>,
     enough: f64,
 ) -> Option<T> {
     let chord = b - a.clone();
@@ -350,7 +350,7 @@ pub type Tangent<V> = (V, V);
 
 /// The settings with which a curve is followed from end to end.
 #[derive(Clone, Copy, Debug)]
-pub struct Walk<'a, C> {
+pub struct Traversal<'a, C> {
     /// The curve's equations.
     pub equations: &'a C,
     /// Control of the step length.
@@ -369,7 +369,7 @@ pub const FEWEST_OF_A_LOOP: usize = 10;
 /// The points of a curve in order, and how it ends.
 type Walked<V, E, T> = Result<(Vec<Tangent<V>>, T), Stall<E>>;
 
-impl<C: CurveEquations<Carried: Default>> Walk<'_, C> {
+impl<C: CurveEquations<Carried: Default>> Traversal<'_, C> {
     /// The points on both sides of `start`, in the order of `direction`, and the ends before the
     /// first and after the last point.
     ///

@@ -34,7 +34,7 @@ use crate::arclength::zero_on;
 use crate::curve::{Curve, CurvePoint, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{Formulation, LoopEquations, PeriodicSolution, Round, Unknowns, planes, unknown};
-use crate::newton::Solution;
+use crate::newton::Root;
 use crate::tolerances::LOCATED;
 pub use normal_form::{Germ, ImplicitMap};
 
@@ -91,7 +91,7 @@ impl PeriodDoubling {
 pub fn changes<O: ThirdOrder>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<PeriodicSolution> {
     let equations = equations.with_formulation(Formulation::FixedPhase);
     let flips = SolutionCurve { equations: equations.clone(), condition: Condition::PERIOD_DOUBLING };
-    let measure = |solution: Solution<Unknowns>| {
+    let measure = |solution: Root<Unknowns>| {
         let form = period_doubling(&equations, &solution.point).ok()?;
         let velocity = solution.point[unknown::VELOCITY] / form.direction[0];
         let value = velocity * velocity * form.coefficient;

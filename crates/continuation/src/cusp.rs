@@ -12,7 +12,7 @@ use crate::arclength::zero_on;
 use crate::curve::{Curve, Event, SolutionCurve};
 use crate::locate::Condition;
 use crate::mps::{EventTimes, LoopEquations, Unknowns, unknown};
-use crate::newton::{Solution, Space};
+use crate::newton::{Root, Space};
 use crate::tolerances::{AT_CUSP, IN_THE_PLANE};
 
 /// The cusps of a saddle-node curve, in the order of the curve. Two within one step are missed.
@@ -41,7 +41,7 @@ fn turning_point<O: ImpactOscillator>(
     forwards: &Vector2<f64>,
 ) -> Option<Unknowns> {
     let folds = SolutionCurve { equations: equations.clone(), condition: Condition::SADDLE_NODE };
-    let measure = |solution: Solution<Unknowns>| {
+    let measure = |solution: Root<Unknowns>| {
         let tangent = in_plane(&solution.point.null_direction(&solution.factors)?);
         Some(((solution.point, tangent), tangent.dot(forwards)))
     };

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::generic_theorem::Side;
-use grazing_theorems::iterated::{Boundary, IteratedResonance, VelocityBound};
+use grazing_theorems::iterated::{EndEvent, IteratedResonance, VelocityBound};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::curve::{Curve, Route, SolutionCurve};
@@ -37,9 +37,9 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let curve = |bound| {
             let VelocityBound { boundary, velocity_slope: slope } = bound;
             let (condition, visit) = match boundary {
-                Boundary::SaddleNode => (Condition::SADDLE_NODE, None),
-                Boundary::PeriodDoubling => (Condition::PERIOD_DOUBLING, None),
-                Boundary::Visit(visit) => (Condition::InteriorGrazing, Some(visit)),
+                EndEvent::SaddleNode => (Condition::SADDLE_NODE, None),
+                EndEvent::PeriodDoubling => (Condition::PERIOD_DOUBLING, None),
+                EndEvent::Visit(visit) => (Condition::InteriorGrazing, Some(visit)),
             };
             let leading = BifurcationCurve {
                 coefficient: iterated.coefficient(&bound),

@@ -36,7 +36,7 @@ use crate::resonance::{LeavingCurve, ResonantGrazingPoint};
 
 /// The reason why a coefficient could not be measured.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum FitError {
+pub enum CoefficientError {
     /// A point of the curve was not found.
     #[error("no point of the curve at impact velocity {velocity:.1e}: {failure}")]
     NoPoint {
@@ -82,7 +82,7 @@ pub struct Measurement {
 pub fn quadratic_coefficient<O: ImpactOscillator>(
     resonance: &ResonantGrazingPoint<O>,
     condition: Condition,
-) -> Result<Estimate, FitError> {
+) -> Result<Estimate, CoefficientError> {
     measure(resonance, condition).map(|measurement| measurement.coefficient)
 }
 
@@ -115,7 +115,7 @@ const SAFETY: f64 = 3.0;
 pub fn measure<O: ImpactOscillator>(
     resonance: &ResonantGrazingPoint<O>,
     condition: Condition,
-) -> Result<Measurement, FitError> {
+) -> Result<Measurement, CoefficientError> {
     resonance.leaving(condition).straightened().map(|curve| curve.measurement)
 }
 
@@ -127,7 +127,7 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     ///
     /// # Errors
     /// A point of the curve or its grazing orbit was not found, even close to the resonance.
-    pub fn straightened(&self) -> Result<Straightened, FitError> {
+    pub fn straightened(&self) -> Result<Straightened, CoefficientError> {
         let mut reach = FIRST * self.scale();
         let deepest = DEEPEST * reach;
         let [primary, secondary] = self.resonance.orbit().oscillator().parameters();
@@ -205,7 +205,7 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
     }
 
     /// The interpolants through nodes up to `reach`, computed from solutions of these equations.
-    fn level(&self, equations: &LoopEquations<O>, reach: f64) -> Result<Level, FitError> {
+    fn level(&self, equations: &LoopEquations<O>, reach: f64) -> Result<Level, CoefficientError> {
         let (origin, orbit) = (self.resonance.unknowns(), self.resonance.orbit());
         let direction = self.direction();
         let tangent = &direction / direction[unknown::VELOCITY];
@@ -221,7 +221,7 @@ impl<O: ImpactOscillator> LeavingCurve<'_, O> {
                 let near = &last + &along * (velocity - last[unknown::VELOCITY]);
                 let times = times.get_or_insert_with(|| self.times(equations, &near));
                 let conditions = [self.condition, Condition::ImpactVelocity(velocity)];
-                let no_point = |failure| FitError::NoPoint { velocity, failure };
+                let no_point = |failure| CoefficientError::NoPoint { velocity, failure };
                 let mut point = locate(equations, conditions, near, times).map_err(no_point)?;
                 // Newton's method ends when a step is small; one more is exact to rounding.
                 point = locate(equations, conditions, point, times).map_err(no_point)?;

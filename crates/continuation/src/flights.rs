@@ -9,7 +9,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use smallvec::SmallVec;
 
 use crate::mps::{EventTimes, LoopEquations, planes};
-use crate::solution::{Multipliers, PeriodicSolution, Stability};
+use crate::solution::{Multipliers, PeriodicSolution, StabilityFunctions};
 use crate::tolerances::{REST, UNSURE_HEIGHT};
 use crate::unknowns::{Unknowns, unknown};
 
@@ -120,11 +120,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The periodic solution at a zero of the equations, with the stability from which its
     /// multipliers follow.
-    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, Stability) {
+    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (PeriodicSolution, StabilityFunctions) {
         let flights = self.flights(point);
         let stability = self.symmetric_stability(point, &flights).unwrap_or_else(|| {
             let maps = self.maps_along::<1>(point, &planes(point), &flights, None);
-            maps.map_or(Stability::UNKNOWN, |maps| maps.stability())
+            maps.map_or(StabilityFunctions::UNKNOWN, |maps| maps.stability())
         });
         (self.orbit(point, &flights, stability.multipliers), stability)
     }

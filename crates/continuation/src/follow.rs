@@ -17,7 +17,7 @@ use crate::tolerances::{
     self, AGAIN, FORGOTTEN, LOST_POINTS, MOST_OUT_OF_SIGHT, MOST_SHORT_STEPS, NO_VELOCITY, ON_TWO_CURVES,
     OUT_OF_SIGHT, SHORT_STEP, SOUNDED, VIOLENT,
 };
-use events::{CurveStation, EVENTS, Signs, Step, changes, signs, vanishing};
+use events::{CurveStation, CurveStep, EVENTS, Signs, changes, signs, vanishing};
 
 impl<O: ImpactOscillator> SolutionCurve<O> {
     /// Follows the curve from `start`, in the direction closer to `direction`, until it ends.
@@ -279,7 +279,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     /// Appends the next point, unless the curve ends before it.
     fn accept(&mut self, before: &CurveStation, after: CurveStation) -> ControlFlow<CurveEnd> {
         let equations = &self.followed.equations;
-        let step = Step { followed: self.followed, control: self.route.control, before, after: &after };
+        let step = CurveStep { followed: self.followed, control: self.route.control, before, after: &after };
         let (impact, velocity) = after.point.lowest_velocity();
         let grazes = velocity <= NO_VELOCITY && velocity < before.point[unknown::velocity(impact)];
         if equations.has_impacts() && grazes {
@@ -337,7 +337,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
 
     /// The solution and the signs at the end of a step of a sketch with all digits, if then there is no event
     /// on the step.
-    fn without_events(&self, step: &Step<'_, O>) -> Option<(PeriodicSolution, Signs)> {
+    fn without_events(&self, step: &CurveStep<'_, O>) -> Option<(PeriodicSolution, Signs)> {
         let exact = |station: &CurveStation| {
             let (solution, stability) = self.followed.equations.solution_and_stability(&station.point);
             (solution.clone(), signs(self.followed.condition, &stability, &solution))
@@ -361,7 +361,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
 
     /// The first point, if the curve passes it between two of its points, with the phase increased
     /// by the whole turns made since.
-    fn back_at_the_start(&self, step: &Step<'_, O>) -> Option<CurvePoint> {
+    fn back_at_the_start(&self, step: &CurveStep<'_, O>) -> Option<CurvePoint> {
         let [first, second, ..] = self.curve.points.as_slice() else { return None };
         if self.curve.points.len() <= FEWEST_OF_A_LOOP {
             return None;
@@ -379,7 +379,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     /// Appends the events on a step that ends at this solution.
     fn locate_events(
         &mut self,
-        step: &Step<'_, O>,
+        step: &CurveStep<'_, O>,
         past: Signs,
         now: Signs,
         beyond: &PeriodicSolution,
@@ -414,7 +414,7 @@ impl<O: ImpactOscillator> Follower<'_, O> {
     }
 
     /// Ends the curve where the velocity of an impact vanishes.
-    fn end_at_grazing(&mut self, step: &Step<'_, O>, impact: usize) -> CurveEnd {
+    fn end_at_grazing(&mut self, step: &CurveStep<'_, O>, impact: usize) -> CurveEnd {
         let SolutionCurve { equations, condition } = self.followed;
         let before = step.before;
         let (mut point, times) = match step.grazing(impact) {
@@ -464,13 +464,13 @@ impl<O: ImpactOscillator> Follower<'_, O> {
         if !self.matters(past, now, end) {
             return ControlFlow::Continue(());
         }
-        let step = Step { followed: self.followed, control: self.route.control, before, after };
+        let step = CurveStep { followed: self.followed, control: self.route.control, before, after };
         self.locate_events(&step, past, now, end)
     }
 
     /// Adds the point at which the curve crosses the edge of the window, or the point beyond if it
     /// cannot be located.
-    fn end_on_the_edge(&mut self, step: &Step<'_, O>) {
+    fn end_on_the_edge(&mut self, step: &CurveStep<'_, O>) {
         let window = &self.route.window;
         let outside = step.after.point.clone();
         let mut times = step.after.carried.clone();

@@ -30,7 +30,7 @@ use smallvec::SmallVec;
 pub use pair::{LoopPair, Round};
 pub use symmetry::Symmetry;
 
-pub(crate) use crate::solution::Stability;
+pub(crate) use crate::solution::StabilityFunctions;
 pub use crate::solution::{Multipliers, PeriodicSolution};
 use crate::tolerances::{FAR, RECURS};
 pub use crate::unknowns::{Unknowns, parameters, unknown};
@@ -75,7 +75,7 @@ pub struct EventTimes {
     /// Time from the recoil to a second interior maximum, where two touch the wall.
     pub(crate) second_grazing_time: f64,
     /// The stability found by the last evaluation along a curve.
-    pub(crate) stability: Option<Stability>,
+    pub(crate) stability: Option<StabilityFunctions>,
     /// Whether the next evaluation may find another stability.
     pub(crate) unsettled: bool,
 }
@@ -367,7 +367,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The stability of symmetric motion over the whole period, from the map over half of it, or of a solution
     /// with one impact at each of two stops that is its own mirror image.
-    pub(crate) fn symmetric_stability(&self, point: &Unknowns, flights: &[O::Motion]) -> Option<Stability> {
+    pub(crate) fn symmetric_stability(
+        &self,
+        point: &Unknowns,
+        flights: &[O::Motion],
+    ) -> Option<StabilityFunctions> {
         if let Some(half) = self.mirrored(point, flights) {
             return Some(half.stability().of_the_square());
         }

@@ -172,7 +172,7 @@ pub enum NewtonFailure<E> {
 
 /// A converged solution.
 #[derive(Clone, Debug)]
-pub struct Solution<V: Space> {
+pub struct Root<V: Space> {
     /// The solution.
     pub point: V,
     /// Euclidean norm of the residual at the last iterate but one, less than the tolerance away.
@@ -192,7 +192,7 @@ pub fn solve<V: Space, E>(
     start: V,
     limit: usize,
     equations: impl FnMut(&V) -> Result<Linearisation<V>, E>,
-) -> Result<Solution<V>, NewtonFailure<E>> {
+) -> Result<Root<V>, NewtonFailure<E>> {
     solve_within(f64::INFINITY, tolerances::STEP, start, limit, equations)
 }
 
@@ -207,7 +207,7 @@ pub fn solve_within<V: Space, E>(
     start: V,
     limit: usize,
     mut equations: impl FnMut(&V) -> Result<Linearisation<V>, E>,
-) -> Result<Solution<V>, NewtonFailure<E>> {
+) -> Result<Root<V>, NewtonFailure<E>> {
     let mut point = start.clone();
     let mut residual = f64::NAN;
     for iteration in 1..=limit {
@@ -222,7 +222,7 @@ pub fn solve_within<V: Space, E>(
         let length = step.norm();
         point = point - step;
         if length <= tolerance {
-            return Ok(Solution { point, residual, factors, iterations: iteration });
+            return Ok(Root { point, residual, factors, iterations: iteration });
         }
         if (point.clone() - start.clone()).norm() > reach {
             return Err(NewtonFailure::NoConvergence { iterations: iteration, residual });

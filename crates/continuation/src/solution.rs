@@ -53,7 +53,7 @@ impl Multipliers {
 
 /// The stability of a zero of the equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Stability {
+pub(crate) struct StabilityFunctions {
     pub(crate) multipliers: Multipliers,
     /// The [`characteristic`](crate::mps::LoopPair::characteristic) for the multiplier 1; the next
     /// field is for −1.
@@ -70,7 +70,7 @@ pub(crate) struct Stability {
     pub(crate) violence: f64,
 }
 
-impl Stability {
+impl StabilityFunctions {
     /// The stability of motion that goes far away.
     pub(crate) const UNKNOWN: Self = Self {
         multipliers: Multipliers { trace: f64::NAN, determinant: f64::NAN },

@@ -65,7 +65,7 @@ pub(crate) fn told<R: Row>(row: &R) -> Map<String, Value> {
 }
 
 /// A file that is exported.
-pub struct Sheet {
+pub struct ExportedFile {
     /// The file name.
     pub name: String,
     /// The media type.

@@ -5,7 +5,7 @@ use grazing_model::smooth::Stop;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-use crate::answer::{Problem, Sheet};
+use crate::answer::{ExportedFile, Problem};
 use crate::events::{self, Clock, Events, Listener, Told};
 use crate::figure::{ExportRequest, Seen};
 use crate::kept::Kept;
@@ -15,7 +15,7 @@ use crate::{cut, diagram, exact, follow, measured, place, tiles};
 
 /// Writes a figure as a file: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that
 /// of the paper), unless it is cancelled.
-pub type Export = Box<dyn Fn(&Seen, &str, &str, &Stop) -> Result<Sheet, String> + Send + Sync>;
+pub type Export = Box<dyn Fn(&Seen, &str, &str, &Stop) -> Result<ExportedFile, String> + Send + Sync>;
 
 /// The weight of a computation, by which later ones wait for it or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +89,7 @@ fn check(model: &Model, stop: &Stop) -> Result<Value, Problem> {
 }
 
 /// A file of what the page shows.
-pub(crate) fn file(request: &ExportRequest, export: &Export, stop: &Stop) -> Result<Sheet, Problem> {
+pub(crate) fn file(request: &ExportRequest, export: &Export, stop: &Stop) -> Result<ExportedFile, Problem> {
     let seen = Seen::compute(request, stop)?;
     export(&seen, &request.what, &request.columns, stop).map_err(Problem::wrong)
 }
@@ -114,7 +114,7 @@ pub fn answer(
         match read(body).map_err(|error| Problem::unread(&error))? {
             Asked::One(_, compute) => Ok((JSON, compute(stop)?.to_string().into_bytes())),
             Asked::File(request) => {
-                file(&request, export, stop).map(|Sheet { kind, content, .. }| (kind, content))
+                file(&request, export, stop).map(|ExportedFile { kind, content, .. }| (kind, content))
             }
             Asked::Told(compute) => {
                 events::tell(&*compute, (listener, clock), &KEPT, stop, &Problem::ended);

@@ -6,7 +6,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::mps::Multipliers;
 use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
-use grazing_results::plane::{OwnPoint, PlanePoint, SequenceVertex, Vertex};
+use grazing_results::plane::{OwnPoint, PlanePoint, RegionCorner, SequenceVertex};
 use grazing_results::{Dimensioned, Row};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::described::Axes;
@@ -241,7 +241,7 @@ fn growing(axes: &Axes, located: Diagram, coarse: bool, events: &Events) -> Diag
 /// The place of each resonance among those with the same p and n whose curves are followed.
 fn ranks(diagram: &Diagram) -> Vec<u32> {
     let mut counts: BTreeMap<(u32, u32), u32> = BTreeMap::new();
-    let rank = |resonance: &grazing_unfold::resonances::Resonance| {
+    let rank = |resonance: &grazing_unfold::resonances::FoundResonance| {
         let count = counts.entry((resonance.loops, resonance.n)).or_default();
         let rank = *count;
         *count += u32::from(resonance.theorem.is_ok());
@@ -320,9 +320,9 @@ fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
 }
 
 /// A region, with what its vertices have in common and its border.
-fn region<R: Row>(rows: &[R], at: fn(&R) -> &Vertex) -> Map<String, Value> {
+fn region<R: Row>(rows: &[R], at: fn(&R) -> &RegionCorner) -> Map<String, Value> {
     let mut region = told(&rows[0]);
-    region.insert("rings".to_owned(), json!(Vertex::rings(rows.iter().map(at))));
+    region.insert("rings".to_owned(), json!(RegionCorner::rings(rows.iter().map(at))));
     region
 }
 
@@ -354,7 +354,7 @@ fn several(
 
 /// All resonances, with the coefficients that the theorem gives where it holds.
 fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
-    let one = |resonance: &grazing_unfold::resonances::Resonance| {
+    let one = |resonance: &grazing_unfold::resonances::FoundResonance| {
         let (at, holds) = (
             AtResonance::new(resonance, diagram.wall).with_dimensions(&axes.units),
             resonance.theorem.is_ok(),
@@ -380,7 +380,7 @@ fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
 fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
     let ranks = ranks(diagram);
     let unfolding = diagram.resonances.iter().zip(ranks);
-    let of = |(resonance, rank): (&grazing_unfold::resonances::Resonance, u32)| {
+    let of = |(resonance, rank): (&grazing_unfold::resonances::FoundResonance, u32)| {
         let point = resonance.theorem.as_ref().ok()?;
         let shown = |(kind, curve): (Bifurcation, BifurcationCurve)| {
             let points = approximation(point, curve, diagram.scope.window);

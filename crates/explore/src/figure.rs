@@ -11,7 +11,7 @@ use grazing_unfold::described::{AtWall, Prepared};
 use grazing_unfold::place::at_place;
 use grazing_unfold::plane;
 use grazing_unfold::progress::Progress;
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 use grazing_unfold::sequences::of_diagram;
 use grazing_unfold::unfolded::straightened_at;
 use grazing_unfold::{Diagram, UnfoldError};
@@ -151,7 +151,7 @@ fn straightened(of: Prepared, at: [f64; 2], progress: &dyn Progress) -> Result<S
     let seen = of.from_each_wall().map(followed).collect::<Result<Vec<Diagram>, UnfoldError>>();
     let seen = seen.map_err(|error| problem(&of.axes, error))?;
     let window = of.scope.window;
-    let far = |(_, (_, point)): &(&Diagram, (&Resonance, &ResonantGrazingPoint))| {
+    let far = |(_, (_, point)): &(&Diagram, (&FoundResonance, &ResonantGrazingPoint))| {
         let [_, _, primary, secondary] = point.unknowns().into();
         let [from, to] = [place, [primary, secondary]].map(|place| window.shares(place));
         (to[0] - from[0]).abs() + (to[1] - from[1]).abs()

@@ -52,7 +52,7 @@ mod place;
 mod server;
 mod tiles;
 
-pub use answer::Sheet;
+pub use answer::ExportedFile;
 pub use asked::{Export, answer};
 pub use cut::CutLine;
 pub use events::{Clock, Listener};

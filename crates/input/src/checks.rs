@@ -43,8 +43,8 @@ type Checked = Result<(), DescriptionError>;
 pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<Note>, DescriptionError> {
     let parameters = description.sampled();
     let seen: Vec<Description> = description.from_each_wall().collect();
-    for check in Sampler::CHECKS {
-        for sampler in seen.iter().map(Sampler::new) {
+    for check in PlaceChecks::CHECKS {
+        for sampler in seen.iter().map(PlaceChecks::new) {
             for &parameters in &parameters {
                 if stop.is_asked() {
                     return Err(DescriptionError::Ended);
@@ -53,10 +53,10 @@ pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<Note
             }
         }
     }
-    let sampler = Sampler::new(description);
+    let sampler = PlaceChecks::new(description);
     let going = || parameters.iter().take_while(|_| !stop.is_asked());
     let other =
-        seen.iter().skip(1).map(Sampler::new).find_map(|other| going().find_map(|&at| other.unusual(at)));
+        seen.iter().skip(1).map(PlaceChecks::new).find_map(|other| going().find_map(|&at| other.unusual(at)));
     let notes = [
         going().find_map(|&at| sampler.unusual(at)),
         other,
@@ -72,13 +72,13 @@ pub(crate) fn samples(description: &Description, stop: &Stop) -> Result<Vec<Note
 }
 
 /// Checks of a description at places of its plane, which need not lie in its ranges.
-pub(crate) struct Sampler<'a> {
+pub(crate) struct PlaceChecks<'a> {
     description: &'a Description,
     places: &'a Expressions<KeyPlace>,
     units: Units,
 }
 
-impl<'a> Sampler<'a> {
+impl<'a> PlaceChecks<'a> {
     /// All checks, in the order of the file.
     const CHECKS: [fn(&Self, [f64; 2]) -> Checked; 5] =
         [Self::frequency, Self::wall, Self::force, Self::restitution, Self::duration];

@@ -12,7 +12,7 @@ use grazing_results::readings::Ordinate;
 
 use crate::error::{KeyPlace, Note};
 use crate::expression::Expression;
-use crate::file::{Analysis, Axis, FigureStyle, File, Limits, MOST_DIAGRAMS, Side};
+use crate::file::{AnalysisLimits, Axis, FigureStyle, File, MOST_DIAGRAMS, WallSide, WrittenAnalysis};
 
 /// An oscillator with a wall, as described by a file; a clone shares everything with the original.
 ///
@@ -29,7 +29,7 @@ pub(crate) struct Content {
     pub(crate) stops: Vec<WallView>,
     pub(crate) start: Option<[f64; 2]>,
     pub(crate) curves: Vec<OwnCurve>,
-    pub(crate) diagrams: Vec<OneParameter>,
+    pub(crate) diagrams: Vec<OneParameterRequest>,
     pub(crate) notes: Vec<Note>,
     /// The units, once they have been determined.
     pub(crate) units: OnceLock<Units>,
@@ -40,7 +40,7 @@ pub(crate) struct Content {
 pub(crate) struct WallView {
     pub(crate) texts: Expressions<String>,
     pub(crate) places: Expressions<KeyPlace>,
-    pub(crate) side: Side,
+    pub(crate) side: WallSide,
     /// The mass that hits this wall, as written.
     pub(crate) mass_text: Option<String>,
     pub(crate) formulas: Formulas,
@@ -54,7 +54,7 @@ pub(crate) type Formulas = Expressions<Expression, Wall>;
 
 /// A one-parameter diagram that the file requests.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OneParameter {
+pub struct OneParameterRequest {
     /// Whether the primary parameter is held, rather than the secondary one.
     pub primary_is_fixed: bool,
     /// The value of the parameter that is held, inside its range.
@@ -91,7 +91,7 @@ pub struct OwnCurve {
 /// impacts have the relative velocity u̇ > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
-    pub(crate) side: Side,
+    pub(crate) side: WallSide,
     /// The position x and velocity v as expressions in u, u̇, t, μ, η.
     pub(crate) outside: [Expression; 2],
 }
@@ -100,11 +100,11 @@ impl Wall {
     /// Whether the wall stands still at x = 0 with the motion below it, the default of a file.
     pub fn is_usual(&self) -> bool {
         // x and v are then u and u̇, which takes no instruction.
-        self.side == Side::Below && self.outside.iter().all(|coordinate| coordinate.instructions() == 0)
+        self.side == WallSide::Below && self.outside.iter().all(|coordinate| coordinate.instructions() == 0)
     }
 
     /// The side of the wall on which the motion is.
-    pub fn side(&self) -> Side {
+    pub fn side(&self) -> WallSide {
         self.side
     }
 
@@ -236,9 +236,10 @@ impl Description {
     }
 
     /// The limits of the analysis; all are positive.
-    pub fn limits(&self) -> Limits {
-        let Analysis { time_limit: time, memory_limit: memory, step_limit: steps, .. } = self.0.file.analysis;
-        Limits { time, memory, steps }
+    pub fn limits(&self) -> AnalysisLimits {
+        let WrittenAnalysis { time_limit: time, memory_limit: memory, step_limit: steps, .. } =
+            self.0.file.analysis;
+        AnalysisLimits { time, memory, steps }
     }
 
     /// Units in which the motion is of the order of one in the ranges.
@@ -288,7 +289,7 @@ impl Description {
     }
 
     /// The one-parameter diagrams that the file requests.
-    pub fn diagrams(&self) -> &[OneParameter] {
+    pub fn diagrams(&self) -> &[OneParameterRequest] {
         &self.0.diagrams
     }
 }

@@ -15,7 +15,7 @@ mod source;
 mod text;
 mod words;
 
-pub use error::{Mistake, Place, SourceError};
+pub use error::{Mistake, SourceError, SourcePlace};
 pub use file::{read_bytes, read_file, read_foreign, what_is};
 pub use keys::{Key, Requirements, Schema};
 pub use kind::Keys;

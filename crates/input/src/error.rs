@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use crate::document::{Mistake, Place, Section, SourceError};
+use crate::document::{Mistake, Section, SourceError, SourcePlace};
 use crate::expression::ExpressionError;
 use crate::file::REQUIREMENTS;
 
@@ -46,7 +46,7 @@ pub enum DescriptionError {
 /// A key with its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeyPlace {
-    at: Place,
+    at: SourcePlace,
     pub(crate) key: String,
 }
 

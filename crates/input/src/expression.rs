@@ -61,7 +61,7 @@ pub struct ExpressionError {
 ///
 /// A clone shares everything with the original. A force has formulas for its derivatives beside its own.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Expression(Arc<Tape>, Option<Arc<partials::Formulas>>);
+pub struct Expression(Arc<Tape>, Option<Arc<partials::ForceDerivatives>>);
 
 #[derive(Debug, Default, PartialEq)]
 struct Tape {

@@ -59,7 +59,7 @@ keys! {
         units: Option<WrittenUnits> = maybe(table()),
             "the table [units] holds the names of the units of length, time and mass, such as length = \"mm\"; it may be left out";
         /// What moves the oscillator.
-        motion: Motion = table(), "the table [motion] holds force and frequency";
+        motion: WrittenMotion = table(), "the table [motion] holds force and frequency";
         /// The wall.
         wall: Option<WrittenWall> = maybe(table()),
             "the table [wall] holds the position of the wall and the side of the wall on which the motion takes place; without it the wall is at x = 0; two walls are two tables [[walls]]; a wall is rigid here, and a soft stop is a part of motion.force, as -k*(x + sqrt(x^2 + s^2))/2 with a small s for a spring that is pressed where x > 0, with a rigid wall out of reach behind it";
@@ -67,9 +67,9 @@ keys! {
         walls: Vec<WrittenStop> = tables(0..=2),
             "each [[walls]] is one of two rigid walls between which the motion takes place, and holds its position; it may hold side, and restitution, duration and mass in place of those of [impact]; one wall is a table [wall]";
         /// What an impact does.
-        impact: Option<Impact> = maybe(table()), "the table [impact] holds restitution and duration, and may hold mass; it may be left out if each of two [[walls]] has its own";
+        impact: Option<WrittenImpact> = maybe(table()), "the table [impact] holds restitution and duration, and may hold mass; it may be left out if each of two [[walls]] has its own";
         /// What is computed.
-        analysis: Analysis = table(),
+        analysis: WrittenAnalysis = table(),
             "the table [analysis] holds loops and may hold generations, start, time_limit, memory_limit and step_limit";
         /// How the two-parameter diagram and its magnifications are drawn.
         figure: FigureStyle = or(table(), toml::Table::new()),
@@ -109,7 +109,7 @@ keys! {
 
 keys! {
     /// The equation of motion between impacts.
-    pub(crate) struct Motion {
+    pub(crate) struct WrittenMotion {
         /// The force F per mass.
         force: String = value(),
             "the force must be an expression in x, v, t and the parameters, in quotation marks, such as \"-2*zeta*v - x - 1 + A*cos(omega*t)\"";
@@ -126,7 +126,7 @@ keys! {
         position: String = value(),
             "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
         /// The side on which the motion is.
-        side: Side = or(side(), "below"),
+        side: WallSide = or(side(), "below"),
             "the side of the wall on which the motion takes place must be \"below\" (less than its position) or \"above\" (greater), or else there are two tables [[walls]]; if it is left out, it is \"below\"";
     }
 }
@@ -138,7 +138,7 @@ keys! {
         position: String = value(),
             "the position of the wall must be an expression in t and the parameters, in quotation marks, such as \"0.0015\" or \"a*cos(omega*t)\"";
         /// The side on which the motion is.
-        side: Option<Side> = maybe(side()),
+        side: Option<WallSide> = maybe(side()),
             "the side of the wall on which the motion takes place must be \"below\" (less than its position) for one of two walls and \"above\" (greater) for the other; if it is left out, the motion is between their positions";
         /// Its restitution Φ.
         restitution: Option<String> = maybe(value()),
@@ -154,7 +154,7 @@ keys! {
 
 keys! {
     /// The reset law, and the mass.
-    pub(crate) struct Impact {
+    pub(crate) struct WrittenImpact {
         /// The restitution Φ.
         restitution: Option<String> = maybe(value()),
             "the restitution must be an expression in y, z and the parameters, in quotation marks, such as \"0.8\"";
@@ -169,7 +169,7 @@ keys! {
 
 keys! {
     /// The numbers of loops, the start and the limits of the analysis.
-    pub(crate) struct Analysis {
+    pub(crate) struct WrittenAnalysis {
         /// The numbers of loops p.
         loops: Vec<u32> = counts(1..=MOST_LOOPS),
             "the numbers of loops must be a list of different whole numbers from {} to {}, such as [1, 2, 3]";
@@ -180,13 +180,13 @@ keys! {
         start: Option<[f64; 2]> = maybe(numbers()),
             "the start of the search for the non-impacting motion must be position and velocity at time zero, two finite numbers, such as [-1.0, 0.0]; it may be left out";
         /// The time limit, in seconds of CPU time.
-        time_limit: f64 = limit(Limits::USUAL.time),
+        time_limit: f64 = limit(AnalysisLimits::USUAL.time),
             "the time after which the analysis stops with partial results must be a positive number of seconds of CPU time, such as 600; it may be left out";
         /// The memory limit, in megabytes.
-        memory_limit: f64 = limit(Limits::USUAL.memory),
+        memory_limit: f64 = limit(AnalysisLimits::USUAL.memory),
             "the memory at which the analysis stops with partial results must be a positive number of megabytes, such as 2000; it may be left out";
         /// The limit of steps of integration.
-        step_limit: f64 = limit(Limits::USUAL.steps),
+        step_limit: f64 = limit(AnalysisLimits::USUAL.steps),
             "the number of integration steps after which the analysis stops with partial results must be positive, such as 1e10; it may be left out";
     }
 }
@@ -201,7 +201,7 @@ keys! {
         shading: bool = or(value(), true),
             "shading must be true, for regions of stability in grey, or false; if it is left out, it is true";
         /// What has its name written beside it.
-        names: Vec<Named> = or(choices(Named::ALL.map(|named| (named.word(), named))), Named::ALL.map(Named::word).to_vec()),
+        names: Vec<LabelKind> = or(choices(LabelKind::ALL.map(|named| (named.word(), named))), LabelKind::ALL.map(LabelKind::word).to_vec()),
             "names must list what is labelled in the figure, from \"curves\", \"regions\", \"magnifications\" and \"diagrams\", such as [\"curves\"]; if it is left out, all have their names";
         /// The width of the diagram, in millimetres.
         width: Option<f64> = maybe(number(60.0..=400.0)),
@@ -274,7 +274,7 @@ impl Default for FigureStyle {
 
 /// A kind of object whose name may be written in a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Named {
+pub enum LabelKind {
     /// Curves, by their kinds.
     Curves,
     /// Regions, by their numbers of loops.
@@ -285,7 +285,7 @@ pub enum Named {
     Diagrams,
 }
 
-impl Named {
+impl LabelKind {
     /// All kinds of objects.
     pub const ALL: [Self; 4] = [Self::Curves, Self::Regions, Self::Magnifications, Self::Diagrams];
 
@@ -327,14 +327,14 @@ impl Axis {
 
 /// The side of the wall on which the motion is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum WallSide {
     /// Less than the position of the wall, as in the paper.
     Below,
     /// Greater than the position of the wall.
     Above,
 }
 
-impl Side {
+impl WallSide {
     /// The name, `below` or `above`.
     pub const fn name(self) -> &'static str {
         match self {
@@ -362,7 +362,7 @@ impl Side {
 
 /// The limits at which an analysis ends with the results that it has.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct AnalysisLimits {
     /// Seconds of CPU time, of all threads together.
     pub time: f64,
     /// Megabytes that the process holds.
@@ -371,7 +371,7 @@ pub struct Limits {
     pub steps: f64,
 }
 
-impl Limits {
+impl AnalysisLimits {
     /// The default limits: the examples take seconds and 50 MB, and a user who has waited for ten
     /// minutes wants to see a result. The steps are more than two cores make in that time.
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
@@ -427,8 +427,8 @@ fn portraits(mut values: Vec<f64>, section: &Section<'_>, name: &str) -> Result<
 }
 
 /// A side of the wall.
-fn side() -> Kind<Side> {
-    choice([Side::Below, Side::Above].map(|side| (side.name(), side)))
+fn side() -> Kind<WallSide> {
+    choice([WallSide::Below, WallSide::Above].map(|side| (side.name(), side)))
 }
 
 /// Words in quotation marks, as a list with this word before the last.

@@ -56,11 +56,11 @@ mod part;
 mod read;
 mod validate;
 
-pub use description::{Description, Expressions, OneParameter, OwnCurve, Wall};
+pub use description::{Description, Expressions, OneParameterRequest, OwnCurve, Wall};
 pub use document::{
-    Key, Keys, Mistake, Place, Requirements, Schema, Section, Setting, SettingError, Source, SourceError,
-    Text, kind, nearest, read_bytes, read_file, read_foreign, shortened, suggestion, what_is,
+    Key, Keys, Mistake, Requirements, Schema, Section, Setting, SettingError, Source, SourceError,
+    SourcePlace, Text, kind, nearest, read_bytes, read_file, read_foreign, shortened, suggestion, what_is,
 };
 pub use error::{DescriptionError, Note};
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};
-pub use file::{Axis, FigureStyle, Limits, Named, Side};
+pub use file::{AnalysisLimits, Axis, FigureStyle, LabelKind, WallSide};

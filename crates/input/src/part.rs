@@ -2,7 +2,7 @@
 
 use grazing_model::smooth::{SmoothOscillator, Stop};
 
-use crate::checks::Sampler;
+use crate::checks::PlaceChecks;
 use crate::description::Description;
 
 /// The number of cells of the lattice along either parameter, at whose corners places are checked.
@@ -22,7 +22,7 @@ impl Description {
             return None;
         }
         let seen: Vec<Description> = self.from_each_wall().collect();
-        let samplers: Vec<Sampler<'_>> = seen.iter().map(Sampler::new).collect();
+        let samplers: Vec<PlaceChecks<'_>> = seen.iter().map(PlaceChecks::new).collect();
         let [low, high] = self.forcing_frequencies();
         let slowest = low.min(high / SLOWEST);
         let passes = |at: [f64; 2]| {

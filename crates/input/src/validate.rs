@@ -7,12 +7,14 @@ use grazing_model::smooth::Stop;
 use grazing_results::plane::Property;
 
 use crate::description::{
-    Content, Description, Expressions, Formulas, OneParameter, OwnCurve, Wall, WallView,
+    Content, Description, Expressions, Formulas, OneParameterRequest, OwnCurve, Wall, WallView,
 };
 use crate::document::{Keys, Section, SourceError};
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::{Expression, ExpressionError, from_the_wall, parse_with_uses};
-use crate::file::{Axis, File, Impact, Side, WrittenCurve, WrittenDiagram, WrittenStop, WrittenWall};
+use crate::file::{
+    Axis, File, WallSide, WrittenCurve, WrittenDiagram, WrittenImpact, WrittenStop, WrittenWall,
+};
 use crate::names;
 
 /// The largest number of constants; every name in an expression is looked up among them.
@@ -51,7 +53,7 @@ impl<'a> Known<'a> {
 /// motion is known in closed form.
 pub(crate) fn formulas(
     texts: &Expressions<String>,
-    side: Side,
+    side: WallSide,
     file: &File,
     stop: &Stop,
 ) -> Result<(Formulas, Option<u32>), ExpressionError> {
@@ -86,7 +88,7 @@ pub(crate) fn mass(
 /// A wall as written, with the keys of its expressions: position, restitution, duration, mass.
 struct Written {
     position: Option<String>,
-    side: Option<Side>,
+    side: Option<WallSide>,
     impact: [(Option<String>, String); 3],
     key: String,
 }
@@ -94,7 +96,7 @@ struct Written {
 /// The walls of a file: one, or two in their order.
 fn walls(section: &Section<'_>, file: &File) -> Result<Vec<Written>, SourceError> {
     let common = |name: &str| {
-        let of = |impact: &Impact| match name {
+        let of = |impact: &WrittenImpact| match name {
             "restitution" => impact.restitution.clone(),
             "duration" => impact.duration.clone(),
             _ => impact.mass.clone(),
@@ -122,7 +124,7 @@ fn walls(section: &Section<'_>, file: &File) -> Result<Vec<Written>, SourceError
         let (position, side, key) = match &file.wall {
             Some(WrittenWall { position, side }) => (Some(position.clone()), *side, POSITION.0),
             // The place of the wall's expression is that of the force.
-            None => (None, Side::Below, FORCE.0),
+            None => (None, WallSide::Below, FORCE.0),
         };
         let impact = names.map(common);
         walls.push(Written { position, side: Some(side), impact, key: key.to_owned() });
@@ -140,9 +142,9 @@ fn walls(section: &Section<'_>, file: &File) -> Result<Vec<Written>, SourceError
 }
 
 /// The sides of two walls on which the motion is: between them.
-fn sides(section: &Section<'_>, walls: &[Written], positions: &[f64]) -> Result<Vec<Side>, SourceError> {
-    let written: Vec<Option<Side>> = walls.iter().map(|wall| wall.side).collect();
-    let [first, second] = written[..] else { return Ok(vec![written[0].unwrap_or(Side::Below)]) };
+fn sides(section: &Section<'_>, walls: &[Written], positions: &[f64]) -> Result<Vec<WallSide>, SourceError> {
+    let written: Vec<Option<WallSide>> = walls.iter().map(|wall| wall.side).collect();
+    let [first, second] = written[..] else { return Ok(vec![written[0].unwrap_or(WallSide::Below)]) };
     let first = match (first, second) {
         (Some(first), Some(second)) if first == second => {
             let allowed = "the motion is between two walls: below one of them and above the other".to_owned();
@@ -150,8 +152,8 @@ fn sides(section: &Section<'_>, walls: &[Written], positions: &[f64]) -> Result<
         }
         (Some(first), _) => first,
         (None, Some(second)) => second.opposite(),
-        (None, None) if positions[0] > positions[1] => Side::Below,
-        (None, None) => Side::Above,
+        (None, None) if positions[0] > positions[1] => WallSide::Below,
+        (None, None) => WallSide::Above,
     };
     Ok(vec![first, first.opposite()])
 }
@@ -329,7 +331,7 @@ fn diagram(
     written: &WrittenDiagram,
     [primary, secondary]: [&Axis; 2],
     forbid: impl Fn(&str, String) -> SourceError,
-) -> Result<OneParameter, SourceError> {
+) -> Result<OneParameterRequest, SourceError> {
     let WrittenDiagram { fixed, at, range, portraits, seed, ordinate, sweeps, impacts } = written.clone();
     let primary_is_fixed = fixed == primary.name;
     let (held, other) = if primary_is_fixed { (primary, secondary) } else { (secondary, primary) };
@@ -350,5 +352,5 @@ fn diagram(
             return Err(forbid(name, allowed));
         }
     }
-    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed, ordinate, sweeps, impacts })
+    Ok(OneParameterRequest { primary_is_fixed, at, range, portraits, seed, ordinate, sweeps, impacts })
 }

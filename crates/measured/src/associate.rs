@@ -10,7 +10,7 @@ use grazing_unfold::Diagram;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::sequences::Sequence;
 
-use crate::read::{Observation, Seen, Walls};
+use crate::read::{Behaviour, MeasuredWalls, Observation};
 
 /// The assumed standard error, as a fraction of its range, of a parameter without a stated error when the
 /// other one has one: it is known far better.
@@ -88,10 +88,10 @@ type Points<'a> = (Solutions, Vec<Point<'a>>);
 
 /// The curves that are known: those of a diagram as the first wall sees it and as the other of two does, and those of
 /// solutions with several impacts, as far as these are known.
-pub type Known<'a> = (&'a Diagram, Option<&'a Diagram>, &'a [Sequence]);
+pub type KnownCurves<'a> = (&'a Diagram, Option<&'a Diagram>, &'a [Sequence]);
 
 /// What is sought among known curves: their kind, the number of loops if it is given, and the walls.
-pub(crate) type Sought = (Bifurcation, Option<u32>, Walls);
+pub(crate) type Sought = (Bifurcation, Option<u32>, MeasuredWalls);
 
 /// The curves of solutions that hit both of two walls, of a kind and with a number of forcing periods; none of others.
 fn at_both(found: &Sequence, sought: Sought) -> Vec<Points<'_>> {
@@ -101,7 +101,7 @@ fn at_both(found: &Sequence, sought: Sought) -> Vec<Points<'_>> {
 
 /// The points of a curve, if it is of this kind. Motion without impacts hits no wall of which anything could be said.
 fn points<'a>(curve: &'a DiagramCurve, stops: &[usize], (kind, loops, walls): Sought) -> Option<Points<'a>> {
-    let hits = curve.loops > 0 || walls == Walls::Unsaid;
+    let hits = curve.loops > 0 || walls == MeasuredWalls::Unsaid;
     (hits && curve.kind == kind && loops.is_none_or(|loops| loops == curve.loops)).then_some(())?;
     let points = curve.curve.points.iter().map(|point| {
         let admissible = point.solution.ceiling() <= PeriodicSolution::TOUCH;
@@ -129,7 +129,7 @@ fn at_one(diagram: &Diagram, sought: Sought) -> Vec<Points<'_>> {
 }
 
 /// The known curves of a kind. Motion without impacts is the same to both walls, and its curves are those of the first.
-pub(crate) fn curves<'a>((first, other, several): Known<'a>, sought: Sought) -> Vec<Points<'a>> {
+pub(crate) fn curves<'a>((first, other, several): KnownCurves<'a>, sought: Sought) -> Vec<Points<'a>> {
     let (_, _, walls) = sought;
     let of_wall = |diagram: &&Diagram| walls.may_be(diagram.wall.max(1));
     let seen = Some(first).into_iter().filter(of_wall).flat_map(|diagram| at_one(diagram, sought));
@@ -175,12 +175,12 @@ pub(crate) fn nearest<'a>(
 /// The line of the first bifurcation without such a curve, and a description of it.
 pub fn associate(
     observations: &[Observation],
-    known: Known<'_>,
+    known: KnownCurves<'_>,
     units: &Units,
 ) -> Result<Vec<Located>, (u32, String)> {
     let mut all = Vec::new();
     for Observation { line, at, errors, seen } in observations {
-        let Seen::Bifurcation { kind, loops, walls } = *seen else { continue };
+        let Behaviour::Bifurcation { kind, loops, walls } = *seen else { continue };
         let [at, errors] = [at, errors].map(|place| units.without_dimensions(*place));
         let metric = Metric::new(errors, &known.0.scope.window);
         let curves = curves(known, (kind, loops, walls));

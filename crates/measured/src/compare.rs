@@ -17,8 +17,8 @@ use grazing_unfold::regions::Region;
 use grazing_unfold::sequences::Sequence;
 use grazing_unfold::{Diagram, Scope};
 
-use crate::associate::{Known, Metric, curves, nearest};
-use crate::read::{Observation, Seen};
+use crate::associate::{KnownCurves, Metric, curves, nearest};
+use crate::read::{Behaviour, Observation};
 
 /// Standard errors within which measurements agree: about 95 of 100 lie there.
 const WITHIN: f64 = 2.0;
@@ -57,7 +57,7 @@ const STAGE: &str = "comparison with measurements";
 pub fn compare(
     observations: &[Observation],
     axes: &Axes,
-    (diagram, other, several): Known<'_>,
+    (diagram, other, several): KnownCurves<'_>,
     progress: &dyn Progress,
     stop: &Stop,
 ) -> Comparison {
@@ -94,7 +94,7 @@ pub fn compare(
 #[derive(Clone, Debug, PartialEq)]
 pub struct Apart {
     /// The kind of the curves.
-    pub curve: Seen,
+    pub curve: Behaviour,
     /// The number of points within the ranges.
     pub points: u32,
     /// The number of points outside the ranges, which are not compared.
@@ -108,11 +108,11 @@ pub struct Apart {
 
 /// Compares the points of another program's curves with the admissible parts of the curves of a diagram,
 /// kind by kind; `within` is the greatest distance that counts as near, as a fraction of the ranges.
-pub fn apart(points: &[Observation], axes: &Axes, known: Known<'_>, within: f64) -> Vec<Apart> {
+pub fn apart(points: &[Observation], axes: &Axes, known: KnownCurves<'_>, within: f64) -> Vec<Apart> {
     let window = &known.0.scope.window;
     let mut all: BTreeMap<String, Apart> = BTreeMap::new();
     for &Observation { line, at, seen, .. } in points {
-        let Seen::Bifurcation { kind, loops, walls } = seen else { continue };
+        let Behaviour::Bifurcation { kind, loops, walls } = seen else { continue };
         let none = Apart { curve: seen, points: 0, outside: 0, far: 0, farthest: (0.0, line) };
         let of = all.entry(seen.words()).or_insert(none);
         let at = axes.units.without_dimensions(at);
@@ -157,7 +157,7 @@ impl Beside<'_> {
 
     /// The groups in which a measurement is counted: region, kind and number of loops.
     fn counted_in(&self, one: &Observation) -> Vec<(u32, String, u32)> {
-        if let Seen::Bifurcation { kind, loops, .. } = one.seen {
+        if let Behaviour::Bifurcation { kind, loops, .. } = one.seen {
             return vec![(0, kind.name().to_owned(), loops.unwrap_or(0))];
         }
         let at = self.axes.units.without_dimensions(one.at);
@@ -173,13 +173,13 @@ impl Beside<'_> {
         let mut distance = f64::NAN;
         let (agreement, reason) = match one.seen {
             _ if !inside => (Agreement::Silent, "it lies outside the ranges".to_owned()),
-            Seen::Bifurcation { .. } => self.bifurcation(one, at, &mut distance),
-            Seen::Periodic { periods: 1, impacts: 0 } => self.motion(one, at, 0),
-            Seen::Periodic { periods, impacts: 1 } if self.diagram.scope.loops.contains(&periods) => {
+            Behaviour::Bifurcation { .. } => self.bifurcation(one, at, &mut distance),
+            Behaviour::Periodic { periods: 1, impacts: 0 } => self.motion(one, at, 0),
+            Behaviour::Periodic { periods, impacts: 1 } if self.diagram.scope.loops.contains(&periods) => {
                 self.motion(one, at, periods)
             }
             // Where no region of several impacts holds, there may be one that is not known.
-            Seen::Periodic { periods, impacts }
+            Behaviour::Periodic { periods, impacts }
                 if self.several(at).any(|it| (it.impacts as u32, it.periods) == (impacts, periods)) =>
             {
                 (Agreement::Agrees, String::new())
@@ -250,7 +250,7 @@ impl Beside<'_> {
     }
 
     fn bifurcation(&self, one: &Observation, at: [f64; 2], distance: &mut f64) -> Verdict {
-        let Seen::Bifurcation { kind, loops, walls } = one.seen else {
+        let Behaviour::Bifurcation { kind, loops, walls } = one.seen else {
             return (Agreement::Silent, String::new());
         };
         let metric = Metric::new(self.axes.units.without_dimensions(one.errors), &self.diagram.scope.window);
@@ -276,7 +276,7 @@ impl Beside<'_> {
     }
 
     /// The verdict of simulation on motion that the regions do not cover.
-    fn simulated(&self, seen: Seen, at: [f64; 2]) -> Verdict {
+    fn simulated(&self, seen: Behaviour, at: [f64; 2]) -> Verdict {
         let starts = Starts { states: STATES, ..Starts::default() };
         let here = self.diagram.oscillator.with_parameters(at);
         let no_loops = Scope { loops: Vec::new(), ..self.diagram.scope.clone() };
@@ -312,12 +312,12 @@ fn impacts(fate: &Fate) -> Option<(u32, f64)> {
 }
 
 /// Whether an attractor matches the measured behaviour.
-fn is_seen(fate: &Fate, seen: Seen) -> bool {
+fn is_seen(fate: &Fate, seen: Behaviour) -> bool {
     match seen {
-        Seen::Periodic { periods, impacts: count } => impacts(fate)
+        Behaviour::Periodic { periods, impacts: count } => impacts(fate)
             .is_some_and(|(own, impacts)| own == periods && (impacts - f64::from(count)).abs() < 0.5),
-        Seen::Irregular => fate.kind == MotionKind::Chaotic,
-        Seen::Bifurcation { .. } => false,
+        Behaviour::Irregular => fate.kind == MotionKind::Chaotic,
+        Behaviour::Bifurcation { .. } => false,
     }
 }
 

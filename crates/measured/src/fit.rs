@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use rmpfit::{MPConfig, MPError, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 use thiserror::Error;
 
-use crate::residuals::{Computed, Datum, Missing};
+use crate::residuals::{Datum, Missing, Residuals};
 
 /// The oscillator with these values of the constants, dimensionless, in units that do not depend on the
 /// constants; none where it does not exist.
@@ -35,7 +35,7 @@ pub struct Fit {
 
 /// The weight of large residuals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Weight {
+pub enum Loss {
     /// Residuals are squared and summed.
     Full,
     /// The squares of residuals of many standard errors grow only in proportion to the residual, so that
@@ -101,7 +101,7 @@ struct Problem<'a> {
     rig: Rig<'a>,
     window: Window,
     data: Vec<Datum>,
-    weight: Weight,
+    weight: Loss,
     constants: usize,
     /// For each datum, the indices of its first residual and of its first own unknown.
     begins: Vec<[usize; 2]>,
@@ -117,7 +117,7 @@ impl Problem<'_> {
     }
 
     /// The residuals of all data; an error about the first datum that cannot be computed.
-    fn residuals(&self, all: &[f64]) -> Result<Vec<Computed>, FitError> {
+    fn residuals(&self, all: &[f64]) -> Result<Vec<Residuals>, FitError> {
         let start = |datum: usize, (line, missing)| FitError::Start { line, datum, missing };
         let none = || start(0, (self.data[0].line(), Missing::Result));
         let oscillator = (self.rig)(&all[..self.constants]).ok_or_else(none)?;
@@ -128,7 +128,7 @@ impl Problem<'_> {
     }
 }
 
-impl Weight {
+impl Loss {
     /// The number that is squared in place of a residual.
     fn of(self, residual: f64) -> f64 {
         match self {
@@ -137,7 +137,7 @@ impl Weight {
         }
     }
 
-    fn write(self, parts: &[Computed], into: &mut [f64]) {
+    fn write(self, parts: &[Residuals], into: &mut [f64]) {
         let numbers = parts.iter().flat_map(|(numbers, _)| numbers);
         into.iter_mut().zip(numbers).for_each(|(place, number)| *place = self.of(*number));
     }
@@ -219,7 +219,7 @@ pub fn fit(
     start: &[f64],
     window: Window,
     data: Vec<Datum>,
-    weight: Weight,
+    weight: Loss,
 ) -> Result<Fit, FitError> {
     let constants = start.len();
     let (mut begins, mut numbers, mut all) = (Vec::new(), 0, start.to_vec());

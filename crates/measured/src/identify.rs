@@ -8,15 +8,15 @@ use grazing_results::measured::{Correlation, Identified, IdentifiedConstant, Ide
 use grazing_unfold::described::from_each_wall;
 use grazing_unfold::family::{ArcEnd, arcs};
 use grazing_unfold::progress::Progress;
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 use grazing_unfold::sequences::{Sequence, of_diagram};
 use grazing_unfold::unfolded::AtResonance;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use thiserror::Error;
 
 use crate::associate::associate;
-use crate::fit::{Fit, FitError, Rig, Weight, fit};
-use crate::read::{Impact, Observation, Seen, Series};
+use crate::fit::{Fit, FitError, Loss, Rig, fit};
+use crate::read::{Behaviour, Impact, ImpactRecord, Observation};
 use crate::residuals::{Datum, Segment};
 
 /// All measurements for an identification.
@@ -25,11 +25,11 @@ pub struct Measurements {
     /// Places of the parameter plane; only bifurcations among them are used.
     pub points: Vec<Observation>,
     /// Records of impacts.
-    pub record: Vec<Series>,
+    pub record: Vec<ImpactRecord>,
 }
 
 /// The task of an identification.
-pub struct Task<'a> {
+pub struct IdentificationTask<'a> {
     /// The oscillator as a function of the free constants.
     pub rig: Rig<'a>,
     /// The names of the free constants.
@@ -101,7 +101,7 @@ const LEAST: f64 = 1e-9;
 /// # Errors
 /// [`IdentifyError`].
 pub fn identify(
-    task: &Task<'_>,
+    task: &IdentificationTask<'_>,
     measured: &Measurements,
     progress: &dyn Progress,
 ) -> Result<(Fit, Identified), IdentifyError> {
@@ -110,7 +110,7 @@ pub fn identify(
     let mut last = Err(IdentifyError::Stopped);
     let mut assumed = [ASSUMED; 3];
     let bifurcation = |point: &Observation| match point.seen {
-        Seen::Bifurcation { kind, walls, .. } => Some((kind, walls)),
+        Behaviour::Bifurcation { kind, walls, .. } => Some((kind, walls)),
         _ => None,
     };
     let bifurcations = || measured.points.iter().filter_map(bifurcation);
@@ -136,7 +136,7 @@ pub fn identify(
             }
         }
         let longest = if round == 0 { FIRST } else { LONGEST };
-        let mut weight = if round < TAMED { Weight::Tame } else { Weight::Full };
+        let mut weight = if round < TAMED { Loss::Tame } else { Loss::Full };
         data.extend(task.segments(&measured.record, longest, assumed).into_iter().map(Datum::Impacts));
         // Data that cannot be compared for these constants may become comparable for better ones.
         let found = loop {
@@ -146,7 +146,7 @@ pub fn identify(
                     lost = Some(error.into());
                 }
                 // Where all residuals are large, as of a rig that does not fit, reduced weights may not converge.
-                Err(FitError::NoConvergence) if weight == Weight::Tame => weight = Weight::Full,
+                Err(FitError::NoConvergence) if weight == Loss::Tame => weight = Loss::Full,
                 found => break found,
             }
         };
@@ -225,7 +225,7 @@ fn scatter(found: &Fit, data: &[Datum], assumed: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(of)
 }
 
-impl Task<'_> {
+impl IdentificationTask<'_> {
     fn constants(&self, values: &[f64]) -> String {
         let named = self.names.iter().zip(values).map(|(name, value)| format!("{name} = {value}"));
         named.collect::<Vec<_>>().join(", ")
@@ -257,7 +257,7 @@ impl Task<'_> {
     }
 
     /// The record in dimensionless form, divided into segments.
-    fn segments(&self, record: &[Series], longest: usize, assumed: [f64; 3]) -> Vec<Segment> {
+    fn segments(&self, record: &[ImpactRecord], longest: usize, assumed: [f64; 3]) -> Vec<Segment> {
         let Units { time, primary, secondary, .. } = self.units;
         let scales = [time, self.units.velocity(), self.units.velocity()];
         let without = |values: [f64; 3]| [0, 1, 2].map(|k| values[k] / scales[k]);
@@ -360,7 +360,7 @@ impl Task<'_> {
                 }
             }
         }
-        let one = |(resonance, changes): (&Resonance, Vec<[f64; 2]>)| {
+        let one = |(resonance, changes): (&FoundResonance, Vec<[f64; 2]>)| {
             let variance = |axis: usize| -> f64 {
                 let pairs = (0..count).flat_map(|one| (0..count).map(move |other| (one, other)));
                 pairs.map(|(a, b)| changes[a][axis] * changes[b][axis] * found.correlation(a, b)).sum()

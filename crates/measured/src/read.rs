@@ -6,8 +6,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_input::read_foreign;
 use grazing_results::measured::SeenKind;
 
-use self::cells::{Row, Separator};
-use self::table::{Request, Table};
+use self::cells::{FileRow, Separator};
+use self::table::{CsvTable, Request};
 
 mod cells;
 mod columns;
@@ -20,7 +20,7 @@ pub use error::MeasurementError;
 
 /// The behaviour measured at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Seen {
+pub enum Behaviour {
     /// Periodic motion, with its period and number of impacts.
     Periodic {
         /// The period, in forcing periods.
@@ -37,13 +37,13 @@ pub enum Seen {
         /// The number of loops of the solution, if that is known.
         loops: Option<u32>,
         /// The walls that the solution hits, as far as they are known.
-        walls: Walls,
+        walls: MeasuredWalls,
     },
 }
 
 /// The walls that motion hits, as far as a measurement says so.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Walls {
+pub enum MeasuredWalls {
     /// Nothing is said of them, or there is only one.
     #[default]
     Unsaid,
@@ -63,7 +63,7 @@ pub struct Observation {
     /// The standard errors of the two parameters; zero where none is stated.
     pub errors: [f64; 2],
     /// The behaviour measured there.
-    pub seen: Seen,
+    pub seen: Behaviour,
 }
 
 /// One impact of a record.
@@ -81,7 +81,7 @@ pub struct Impact {
 
 /// Consecutive impacts without a gap at one place of the parameter plane, in the oscillator's own units.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Series {
+pub struct ImpactRecord {
     /// Primary and secondary parameter.
     pub at: [f64; 2],
     /// The impacts in order of time.
@@ -122,7 +122,7 @@ pub fn points(path: &Path, of: Setup<'_>, renamed: &Renamed) -> Result<Vec<Obser
 ///
 /// # Errors
 /// As [`points`].
-pub fn record(path: &Path, of: Setup<'_>, renamed: &Renamed) -> Result<Vec<Series>, MeasurementError> {
+pub fn record(path: &Path, of: Setup<'_>, renamed: &Renamed) -> Result<Vec<ImpactRecord>, MeasurementError> {
     record_of(&read_foreign(path)?, &path.display().to_string(), of, renamed)
 }
 
@@ -151,11 +151,11 @@ pub fn points_of(
 ) -> Result<(Vec<Observation>, Vec<String>), MeasurementError> {
     let needed = &["{primary}", "{secondary}", "seen"];
     let request = Request { file, names, columns: POINTS, needed, renamed, foreign: false, separated: true };
-    let table = Table::read(text, &request)?;
+    let table = CsvTable::read(text, &request)?;
     let point = |row| {
         let mut point = table.observation(row, None)?;
         let said = table.walls(row, two_walls)?;
-        if let Seen::Bifurcation { walls, .. } = &mut point.seen {
+        if let Behaviour::Bifurcation { walls, .. } = &mut point.seen {
             *walls = said;
         }
         Ok::<_, MeasurementError>(point)
@@ -177,7 +177,7 @@ pub fn curves_of(
     let needed = &["{primary}", "{secondary}", "seen"][..if foreign.curve.is_some() { 2 } else { 3 }];
     let renamed = &foreign.columns;
     let request = Request { file, names, columns: POINTS, needed, renamed, foreign: true, separated: true };
-    let table = Table::read(text, &request)?;
+    let table = CsvTable::read(text, &request)?;
     table.rows.iter().map(|row| table.observation(row, foreign.curve)).collect()
 }
 
@@ -196,12 +196,12 @@ pub fn record_of(
     file: &str,
     Setup { names, two_walls }: Setup<'_>,
     renamed: &Renamed,
-) -> Result<Vec<Series>, MeasurementError> {
+) -> Result<Vec<ImpactRecord>, MeasurementError> {
     let needed = ["{primary}", "{secondary}", "time", "velocity_before", "wall"];
     let needed = &needed[..if two_walls { 5 } else { 4 }];
     let request = Request { file, names, columns: RECORD, needed, renamed, foreign: false, separated: false };
-    let table = Table::read(text, &request)?;
-    let mut all: Vec<(&str, Series)> = Vec::new();
+    let table = CsvTable::read(text, &request)?;
+    let mut all: Vec<(&str, ImpactRecord)> = Vec::new();
     for row in &table.rows {
         let (at, series) = (table.place(row)?, row.cell(table.position("series")));
         let positive = |column| table.number(row, column, |value| value > 0.0, "a positive number");
@@ -215,8 +215,8 @@ pub fn record_of(
         let after = known("velocity_after")?;
         let errors = [time_error, speed_error, speed_error];
         let wall = match table.walls(row, two_walls)? {
-            Walls::One(wall) => wall,
-            Walls::Unsaid if !two_walls => 1,
+            MeasuredWalls::One(wall) => wall,
+            MeasuredWalls::Unsaid if !two_walls => 1,
             _ => {
                 return Err(table.refusal(
                     row,
@@ -234,7 +234,7 @@ pub fn record_of(
                 }
                 last.impacts.push(impact);
             }
-            _ => all.push((series, Series { at, impacts: vec![impact] })),
+            _ => all.push((series, ImpactRecord { at, impacts: vec![impact] })),
         }
     }
     Ok(all.into_iter().map(|(_, series)| series).collect())
@@ -247,7 +247,7 @@ impl Impact {
     }
 }
 
-impl Series {
+impl ImpactRecord {
     /// The first impact of which the speed after exceeds that before, if the speeds of the series do so on the
     /// whole, by three standard errors: those that are stated, or else those of the scatter.
     pub fn gaining(&self) -> Option<&Impact> {
@@ -266,7 +266,7 @@ impl Series {
     }
 }
 
-impl Seen {
+impl Behaviour {
     /// The kind of behaviour, by which figures choose its mark.
     pub fn kind(&self) -> SeenKind {
         match self {
@@ -299,7 +299,7 @@ impl Seen {
     }
 }
 
-impl Walls {
+impl MeasuredWalls {
     /// Whether solutions may be those that hit one wall alone, with its number.
     pub(crate) fn may_be(self, wall: u32) -> bool {
         self == Self::Unsaid || self == Self::One(wall)
@@ -320,10 +320,10 @@ impl Walls {
     }
 }
 
-impl Table<'_> {
+impl CsvTable<'_> {
     fn observation(
         &self,
-        row: &Row,
+        row: &FileRow,
         otherwise: Option<(Bifurcation, Option<u32>)>,
     ) -> Result<Observation, MeasurementError> {
         let error = |column| match self.optional(row, column) {
@@ -332,13 +332,13 @@ impl Table<'_> {
         };
         let errors = [error("{primary}_error")?, error("{secondary}_error")?];
         let seen = match otherwise {
-            Some((kind, loops)) => Seen::Bifurcation { kind, loops, walls: Walls::Unsaid },
+            Some((kind, loops)) => Behaviour::Bifurcation { kind, loops, walls: MeasuredWalls::Unsaid },
             None => self.seen(row)?,
         };
         Ok(Observation { line: row.line, at: self.place(row)?, errors, seen })
     }
 
-    fn seen(&self, row: &Row) -> Result<Seen, MeasurementError> {
+    fn seen(&self, row: &FileRow) -> Result<Behaviour, MeasurementError> {
         let needed = |column, least| {
             let count = self.count(row, column, least, None)?;
             count.ok_or_else(|| self.refusal(row, column, "periodic motion needs periods and impacts"))
@@ -348,18 +348,18 @@ impl Table<'_> {
             "none" => {
                 let periods = self.count(row, "periods", 1, Some(1))?.unwrap_or(1);
                 match self.count(row, "impacts", 0, Some(0))? {
-                    Some(0) | None => Ok(Seen::Periodic { periods, impacts: 0 }),
+                    Some(0) | None => Ok(Behaviour::Periodic { periods, impacts: 0 }),
                     Some(_) => Err(self.refusal(row, "impacts", "motion `none` has no impacts")),
                 }
             }
             "periodic" => {
-                Ok(Seen::Periodic { periods: needed("periods", 1)?, impacts: needed("impacts", 1)? })
+                Ok(Behaviour::Periodic { periods: needed("periods", 1)?, impacts: needed("impacts", 1)? })
             }
-            "irregular" => Ok(Seen::Irregular),
+            "irregular" => Ok(Behaviour::Irregular),
             _ => match Bifurcation::understood(word) {
                 Some(kind) => {
                     let loops = self.count(row, "p", 0, None)?;
-                    Ok(Seen::Bifurcation { kind, loops, walls: Walls::Unsaid })
+                    Ok(Behaviour::Bifurcation { kind, loops, walls: MeasuredWalls::Unsaid })
                 }
                 None => {
                     let what = "write none, periodic, irregular, or a bifurcation";
@@ -370,12 +370,12 @@ impl Table<'_> {
     }
 
     /// The walls in a cell, which may be empty.
-    fn walls(&self, row: &Row, two_walls: bool) -> Result<Walls, MeasurementError> {
+    fn walls(&self, row: &FileRow, two_walls: bool) -> Result<MeasuredWalls, MeasurementError> {
         match (self.optional(row, "wall"), two_walls) {
-            ("", _) | ("1" | "1.0", false) => Ok(Walls::Unsaid),
-            ("1" | "1.0", true) => Ok(Walls::One(1)),
-            ("2" | "2.0", true) => Ok(Walls::One(2)),
-            ("1-2" | "2-1", true) => Ok(Walls::Both),
+            ("", _) | ("1" | "1.0", false) => Ok(MeasuredWalls::Unsaid),
+            ("1" | "1.0", true) => Ok(MeasuredWalls::One(1)),
+            ("2" | "2.0", true) => Ok(MeasuredWalls::One(2)),
+            ("1-2" | "2-1", true) => Ok(MeasuredWalls::Both),
             (_, true) => Err(self.refusal(
                 row,
                 "wall",

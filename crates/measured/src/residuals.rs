@@ -59,7 +59,7 @@ pub enum Missing {
 
 /// The residuals of a datum in standard errors and, for a bifurcation, the point of the curve with the
 /// direction.
-pub(crate) type Computed = (Vec<f64>, Option<[Unknowns; 2]>);
+pub(crate) type Residuals = (Vec<f64>, Option<[Unknowns; 2]>);
 
 /// The greatest number of steps towards the nearest point of a curve.
 const MOST_STEPS: usize = 60;
@@ -122,7 +122,7 @@ impl Datum {
         oscillator: &AnyOscillator,
         window: Window,
         own: &[f64],
-    ) -> Result<Computed, (u32, Missing)> {
+    ) -> Result<Residuals, (u32, Missing)> {
         match self {
             Self::Bifurcation(located) => {
                 let found = located.foot(oscillator, window).ok_or((located.line, Missing::Result))?;

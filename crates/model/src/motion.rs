@@ -11,7 +11,7 @@ mod enclosure;
 mod search;
 
 pub use cell::{Crossing, Maximum};
-pub use enclosure::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
+pub use enclosure::{BoundedMotion, DerivativeBounds, Enclosure, Kinematics, Walk};
 
 /// A smooth motion x(t), t being the time since it began, with its events.
 pub trait Motion {

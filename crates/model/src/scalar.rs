@@ -212,7 +212,7 @@ pub trait Scalar:
 }
 
 /// A number whose functions come with their derivatives, as the coefficients of a series need.
-pub(crate) trait Coefficient: Scalar {
+pub(crate) trait SeriesCoefficient: Scalar {
     /// The function with its first and second derivative.
     fn derivatives(self, function: Function) -> [Self; 3];
 }
@@ -238,7 +238,7 @@ impl Scalar for f64 {
     }
 }
 
-impl Coefficient for f64 {
+impl SeriesCoefficient for f64 {
     /// NaN outside the domain.
     #[inline]
     fn derivatives(self, function: Function) -> [Self; 3] {

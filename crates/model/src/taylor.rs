@@ -2,7 +2,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
+use crate::scalar::{Function, Scalar, SeriesCoefficient, entrywise, with_plain_numbers};
 
 /// c₀ + c₁ s + c₂ s² + c₃ s³ + O(s⁴): a number that moves along a curve with the parameter s.
 ///

@@ -18,7 +18,7 @@ function undone(cells, [decimals, order]) {
  * Reads a table as the page keeps it: a line with the headers, one with how each column is written, one with the units, then the
  * cells column by column, each on a line.
  */
-function readTable(name, text) {
+function readTable(name, isCloud, text) {
   const lines = text.split("\n");
   const [header, codes, units] = lines.slice(0, 3).map((line) => line.split("|"));
   const rows = (lines.length - 3) / header.length;
@@ -27,7 +27,7 @@ function readTable(name, text) {
     return codes[index] ? undone(cells, codes[index].split(",").map(Number)) : cells;
   };
   const byName = new Map(header.map((title, index) => [title, column(index)]));
-  return { name, rows, header, column: (title) => byName.get(title), unit: (title) => units[header.indexOf(title)] || "" };
+  return { name, isCloud, rows, header, column: (title) => byName.get(title), unit: (title) => units[header.indexOf(title)] || "" };
 }
 
 /** The tables that are kept in the element with that identifier, compressed. */
@@ -37,7 +37,7 @@ async function readTables(id) {
   const bytes = Uint8Array.from(atob(kept.textContent), (letter) => letter.charCodeAt(0));
   const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   const texts = JSON.parse(await new Response(plain).text());
-  return Object.entries(texts).map(([name, text]) => readTable(name, text));
+  return Object.entries(texts).map(([name, [isCloud, text]]) => readTable(name, isCloud, text));
 }
 
 /** A number with so many significant digits as markup: with a true minus sign, and powers of ten as powers. */

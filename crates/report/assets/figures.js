@@ -48,12 +48,6 @@ function readPanels(svg) {
   return panels;
 }
 
-/** Tables in the order in which they tell most, for figures that do not say: points, then curves; regions have no more. */
-function byTelling(tables) {
-  const telling = (table) => (table.name.endsWith("_points") ? 0 : 1);
-  return tables.filter((table) => !table.name.endsWith("_regions")).sort((a, b) => telling(a) - telling(b));
-}
-
 /** What a row is, in words; `KINDS` comes from the program. */
 function nameOf(cell) {
   const kind = cell("kind");
@@ -62,11 +56,11 @@ function nameOf(cell) {
   return cell("p") === "0" ? "Non-impacting solution" : `Solution with ${cell("p")} ${cell("p") === "1" ? "loop" : "loops"}`;
 }
 
-/** The rows that a panel shows, with their places on the sheet. */
+/** The rows that a panel shows, with their places on the sheet; of all tables if it names none. */
 function rowsOf(panel, tables) {
   const points = [];
   const named = panel.tables?.map((name) => tables.find((table) => table.name === name)).filter(Boolean);
-  (named ?? byTelling(tables)).forEach((table, rank) => {
+  (named ?? tables).forEach((table, rank) => {
     const [xs, ys] = panel.columns.map(table.column);
     const kept = panel.only && table.column(panel.only[0]);
     if (!xs || !ys || (panel.only && !kept)) return;

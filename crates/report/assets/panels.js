@@ -152,7 +152,7 @@ function partOf(node, panel, clip) {
     const show = (to) => {
       // Once the data are there, dots lie where they belong, not where their bins do.
       if (panel.points && !exact) {
-        dots = panel.points.filter((point) => point.table.name.endsWith("_attractor") && bins.has(bin(point))).map(({ x, y }) => [x, y]);
+        dots = panel.points.filter((point) => point.table.isCloud && bins.has(bin(point))).map(({ x, y }) => [x, y]);
         exact = true;
       }
       const seen = dots.map(([px, py]) => to(px, py)).filter(([x, y]) => sees(x, y));

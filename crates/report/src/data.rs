@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use grazing_drawing::{PanelMark, Sheet};
 use grazing_results::columns::HYPOTHESIS;
-use grazing_results::{Cell, Column, Scientific, Table, brief};
+use grazing_results::{Cell, Column, DrawnAs, Scientific, Table, brief};
 use miniz_oxide::deflate::compress_to_vec;
 
 use crate::columns::name;
@@ -41,15 +41,17 @@ enum Rounding {
     Column(usize),
 }
 
-/// The figure's tables for the scripts, compressed: those with rows in its panels.
+/// The figure's tables for the scripts, compressed: those with rows in its panels, in the order in which they tell most, for
+/// panels that do not say: marked points come first.
 pub(crate) fn of_figure(FigureEntry { sheet, tables, .. }: &FigureEntry) -> String {
-    // A panel that names no tables may show rows of any but regions, which are areas, not points.
-    let shows = |panel: &PanelMark, table: &str| match panel.tables.as_slice() {
-        [] => !table.ends_with("_regions"),
-        named => named.contains(&table),
+    // A panel that names no tables may show rows of any but what bounds areas.
+    let shows = |panel: &PanelMark, table: &Table| match panel.tables.as_slice() {
+        [] => table.drawn != DrawnAs::Areas,
+        named => named.contains(&table.name),
     };
-    let shown = tables.iter().filter(|table| sheet.panels().any(|panel| shows(panel, table.name)));
-    packed(shown, &BOOKKEEPING, Rounding::Column(digits(sheet)))
+    let shown = tables.iter().filter(|table| sheet.panels().any(|panel| shows(panel, table)));
+    let (points, others): (Vec<_>, Vec<_>) = shown.partition(|table| table.drawn == DrawnAs::Points);
+    packed(points.into_iter().chain(others), &BOOKKEEPING, Rounding::Column(digits(sheet)))
 }
 
 /// A table for the scripts, compressed.
@@ -82,10 +84,11 @@ fn digits(sheet: &Sheet) -> usize {
     ranges.map(along).max().unwrap_or(LEAST_DIGITS).clamp(LEAST_DIGITS, MOST_DIGITS)
 }
 
-/// The tables as JSON, compressed, in letters; empty if there are none.
+/// The tables as JSON, each with whether it is a cloud, compressed, in letters; empty if there are none.
 fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rounding: Rounding) -> String {
     let table = |table: &Table| {
-        format!("{}:{}", json_string(table.name), json_string(&by_columns(table, without, rounding)))
+        let text = json_string(&by_columns(table, without, rounding));
+        format!("{}:[{},{text}]", json_string(table.name), table.drawn == DrawnAs::Cloud)
     };
     let tables: Vec<String> = tables.into_iter().map(table).collect();
     if tables.is_empty() {
@@ -219,7 +222,7 @@ mod tests {
         let bytes = BASE64_STANDARD.decode(of_table(&table())).unwrap();
         let text = miniz_oxide::inflate::decompress_to_vec(&bytes).unwrap();
         let text = String::from_utf8(text).unwrap();
-        assert!(text.starts_with("{\"sample\":\"kind|p|x|admissible\\n|||\\n|||\\nSN\\n"), "{text}");
+        assert!(text.starts_with("{\"sample\":[false,\"kind|p|x|admissible\\n|||\\n|||\\nSN\\n"), "{text}");
     }
 
     #[test]

@@ -121,11 +121,7 @@ pub(crate) fn signs(text: &str) -> String {
         digit.to_digit(10).and_then(|digit| char::from_u32(u32::from('₀') + digit)).unwrap_or(digit)
     };
     let mut signs = String::new();
-    let arrows = text.replace("->", "→");
-    let mut rest = arrows.as_str();
-    while let Some(first) = rest.chars().next() {
-        let end = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
-        let (word, after) = if end == 0 { rest.split_at(first.len_utf8()) } else { rest.split_at(end) };
+    for word in grazing_results::words(&text.replace("->", "→"), &[]) {
         let (letters, digits) = word.split_at(word.find(|c: char| c.is_ascii_digit()).unwrap_or(word.len()));
         let known = greek(letters);
         match known {
@@ -139,7 +135,6 @@ pub(crate) fn signs(text: &str) -> String {
             let lowered = letter && letters.chars().all(char::is_alphabetic);
             signs.extend(digits.chars().map(|digit| if lowered { low(digit) } else { digit }));
         }
-        rest = after;
     }
     signs
 }

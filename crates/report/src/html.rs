@@ -11,9 +11,9 @@ pub(crate) type Html = Safe<String>;
 
 /// Replaces everything that HTML would read as markup, also inside quoted attributes.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Escape;
+pub(crate) struct HtmlEscape;
 
-impl Escaper for Escape {
+impl Escaper for HtmlEscape {
     fn write_escaped_str<W: Write>(&self, mut page: W, text: &str) -> fmt::Result {
         for character in text.chars() {
             match character {
@@ -33,11 +33,11 @@ impl Escaper for Escape {
     }
 }
 
-/// The text as [`Escape`] writes it.
+/// The text as [`HtmlEscape`] writes it.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     // Writing to a String cannot fail.
-    let _ = Escape.write_escaped_str(&mut escaped, text);
+    let _ = HtmlEscape.write_escaped_str(&mut escaped, text);
     escaped
 }
 

@@ -42,4 +42,4 @@ pub use manifest::{FileDigest, Manifest};
 pub use oscillator::OscillatorEntry;
 pub use outputs::{FigureEntry, TableOutput};
 pub use page::page;
-pub use report::{Counts, Part, Report};
+pub use report::{Counts, FiguresAndTables, Report};

@@ -65,7 +65,7 @@ pub(crate) fn simulation(simulated: &Simulated) -> &'static str {
 
 /// Counts of the verdicts on coefficients and simulation.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Tally {
+pub(crate) struct VerdictCounts {
     /// The number of resonances.
     pub(crate) resonances: usize,
     /// The number of coefficients.
@@ -114,8 +114,8 @@ impl OscillatorEntry {
         curves(&self.resonances).flat_map(all).collect()
     }
 
-    fn tally(&self) -> Tally {
-        Tally::of_all(std::slice::from_ref(self))
+    fn tally(&self) -> VerdictCounts {
+        VerdictCounts::of_all(std::slice::from_ref(self))
     }
 
     /// The verdicts on agreement and simulation, if a theorem applies, and the number of gaps.
@@ -138,11 +138,11 @@ impl OscillatorEntry {
     }
 }
 
-impl Tally {
+impl VerdictCounts {
     /// The counts over all of these oscillators.
     pub(crate) fn of_all(oscillators: &[OscillatorEntry]) -> Self {
         let resonances = oscillators.iter().map(|oscillator| oscillator.resonances.len()).sum();
-        let mut tally = Tally { resonances, ..Tally::default() };
+        let mut tally = VerdictCounts { resonances, ..VerdictCounts::default() };
         let known = oscillators.iter().flat_map(OscillatorEntry::curves);
         for (_, _, CurveFinding { coefficient, simulated }) in known {
             tally.all += 1;
@@ -168,7 +168,7 @@ impl Tally {
 
     /// The verdict on the agreement of theorem and curve, with the class of its colour.
     pub(crate) fn agreement(&self) -> (&'static str, String) {
-        let Tally { all, agreeing, differing, digits, .. } = *self;
+        let VerdictCounts { all, agreeing, differing, digits, .. } = *self;
         match digits {
             Some(digits) if agreeing == all => {
                 ("passed", format!("theorem and curves agree to {digits} digits or more"))
@@ -186,7 +186,7 @@ impl Tally {
 
     /// The verdict on the simulation.
     pub(crate) fn simulation(&self) -> (&'static str, String) {
-        let Tally { all, predicted, contradicted, .. } = *self;
+        let VerdictCounts { all, predicted, contradicted, .. } = *self;
         let tone = match (predicted == all, contradicted) {
             (true, _) => "passed",
             (false, 0) => "misprint",
@@ -207,7 +207,7 @@ mod tests {
     const PREDICTED: Simulated = Simulated::AsPredicted(SIDES);
 
     /// The tally of a resonance whose SN curve agrees, with this result for the PD curve.
-    fn tally((value, error): (f64, f64), simulated: Simulated) -> Tally {
+    fn tally((value, error): (f64, f64), simulated: Simulated) -> VerdictCounts {
         let mut entry = crate::sample::oscillator("a", "a");
         let good = coefficient(MEASURED.0, MEASURED.1);
         let finding = |coefficient, simulated| CurveFinding { coefficient, simulated };

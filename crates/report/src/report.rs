@@ -2,7 +2,7 @@
 
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::errata;
-use grazing_claims::published::{Comparison, Tally};
+use grazing_claims::published::{PublishedComparison, Tally};
 use grazing_claims::source::Sources;
 
 use crate::html::Html;
@@ -18,9 +18,9 @@ pub struct Report<'a> {
     /// The outputs that are tables only.
     pub tables: Vec<TableOutput>,
     /// The figures and tables beyond the paper, about what it leaves open.
-    pub beyond: Part,
+    pub beyond: FiguresAndTables,
     /// The numbers that the paper prints, with the computed ones.
-    pub published: Vec<Comparison<'a>>,
+    pub published: Vec<PublishedComparison<'a>>,
     /// The claims with the findings of their tests, in the order of the paper.
     pub claims: Vec<Finding<'a>>,
     /// The source files to which claims lead.
@@ -40,7 +40,7 @@ pub struct Report<'a> {
 
 /// Figures and tables.
 #[derive(Debug, Clone, Default)]
-pub struct Part {
+pub struct FiguresAndTables {
     /// The figures.
     pub figures: Vec<FigureEntry>,
     /// The outputs that are tables only.
@@ -66,7 +66,7 @@ pub struct Counts {
 
 impl Counts {
     /// Counts values, claims and errata.
-    pub fn of(published: &[Comparison<'_>], claims: &[Finding<'_>]) -> Self {
+    pub fn of(published: &[PublishedComparison<'_>], claims: &[Finding<'_>]) -> Self {
         let count = |is: fn(&Finding<'_>) -> bool| claims.iter().filter(|finding| is(finding)).count();
         let failed = count(|finding| finding.verdict.fails());
         let given =

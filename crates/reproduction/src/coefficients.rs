@@ -9,7 +9,7 @@ use grazing_unfold::verdict::{Coefficient, Verdict};
 
 /// The quadratic coefficients at one resonance, obtained in three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coefficients {
+pub struct ComparedCoefficients {
     /// Number of loops p.
     pub loops: u32,
     /// The integer n of the resonance.
@@ -30,11 +30,11 @@ pub struct Coefficients {
 tables! {
     /// The coefficients at all resonances of Figure 7, by p and increasing frequency.
     CoefficientTable {
-        rows: Coefficients = "coefficients", "a resonance of Figure 7",
+        rows: ComparedCoefficients = "coefficients", "a resonance of Figure 7",
     }
 }
 
-row! { Coefficients, |c| {
+row! { ComparedCoefficients, |c| {
     let Pair { saddle_node: sn, period_doubling: pd } = c.measured;
     let [sn_verdict, pd_verdict] = c.measured.map(|coefficient| coefficient.verdict()).into_array();
 } [
@@ -58,7 +58,7 @@ row! { Coefficients, |c| {
     PD_REASON = pd_verdict.reason(),
 ] }
 
-impl Coefficients {
+impl ComparedCoefficients {
     /// Whether theorem and curve contradict each other.
     pub fn contradict(&self) -> bool {
         self.measured.named().iter().any(|(_, measured)| measured.verdict() == Verdict::Contradict)

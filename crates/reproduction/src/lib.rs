@@ -16,7 +16,7 @@ mod space;
 mod study;
 mod sweep;
 
-pub use coefficients::{CoefficientTable, Coefficients};
+pub use coefficients::{CoefficientTable, ComparedCoefficients};
 pub use error::StudyError;
 pub use figure::{Remarks, StudyFigure, prelude};
 pub use study::{Study, forced};

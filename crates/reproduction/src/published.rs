@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_results::plane::{MagnifiedPanel, StraightenedCurves};
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 use grazing_unfold::straightened::{self, straighten};
 use grazing_unfold::verdict;
 use rayon::prelude::*;
 
-use crate::coefficients::{CoefficientTable, Coefficients, closed_form_coefficients};
+use crate::coefficients::{CoefficientTable, ComparedCoefficients, closed_form_coefficients};
 use crate::figures::fig02;
 use crate::{Study, StudyError};
 
@@ -25,7 +25,7 @@ impl Study {
             let resonances: Vec<_> = self.diagram()?.unfolding().collect();
             let rows = resonances.into_par_iter().map(|(found, located)| {
                 let closed_form = theory.resonance(found.loops, found.n)?;
-                Ok(Coefficients {
+                Ok(ComparedCoefficients {
                     loops: closed_form.loops(),
                     n: closed_form.index(),
                     frequency: closed_form.forcing_frequency(),
@@ -49,7 +49,7 @@ impl Study {
         let (theory, diagram) = (self.parameters.oscillator()?, self.diagram()?);
         let etas = straightened::etas(diagram.scope.window.secondary);
         let resonances: Vec<_> = diagram.unfolding().collect();
-        let curves = |&(found, point): &(&Resonance, &ResonantGrazingPoint)| {
+        let curves = |&(found, point): &(&FoundResonance, &ResonantGrazingPoint)| {
             let coefficients = closed_form_coefficients(&theory.resonance(found.loops, found.n)?);
             Ok((coefficients, straighten(diagram, (found, point), &verdict::near(point), &etas)))
         };

@@ -3,7 +3,7 @@
 //! The scenes contain curves and two surfaces, Σ (x = 0) and Π (y = 0). Both are planes, so visibility
 //! needs no comparison of depths: from any viewpoint, everything beyond Σ is painted before Σ and the
 //! rest after it, and likewise for Π on either side of Σ (a binary space partition with two planes).
-//! [`Space::layer`] is that order; curves are split where they pass from one side to another.
+//! [`Projection::layer`] is that order; curves are split where they pass from one side to another.
 
 use grazing_input::kind::{above, number, numbers, strictly};
 use grazing_input::{Section, SourceError, keys};
@@ -26,7 +26,7 @@ keys! {
     ///
     /// Before any turning x points right, y up and z towards the viewer, a right-handed frame.
     #[derive(Copy)]
-    pub struct View {
+    pub struct Viewpoint {
         /// The angle in degrees by which the scene is turned about the y-axis; z swings to the
         /// right.
         turn: f64 = number(-180.0..=180.0), "the turn must be an angle in degrees from {} to {}";
@@ -43,7 +43,7 @@ pub(crate) const VIEW: &str = "the table of the view holds turn, tilt and stretc
 
 keys! {
     /// The linear oscillator of one of these figures, which may differ from the paper's example.
-    pub(crate) struct Motion {
+    pub(crate) struct ShownOscillator {
         /// The damping ratio zeta.
         zeta: f64 = damping_ratio(), ZETA;
         /// The coefficient of restitution.
@@ -57,15 +57,18 @@ keys! {
 }
 
 /// The oscillator of a figure.
-pub(crate) fn oscillator(motion: Motion, section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
-    let Motion { zeta, epsilon, amplitude, frequency } = motion;
+pub(crate) fn oscillator(
+    motion: ShownOscillator,
+    section: &Section<'_>,
+) -> Result<LinearOscillator, SourceError> {
+    let ShownOscillator { zeta, epsilon, amplitude, frequency } = motion;
     LinearOscillator::new(zeta, epsilon, amplitude, frequency)
         .map_err(|error| section.forbid("amplitude", error.to_string()))
 }
 
 /// The mapping of phase space to the page.
 #[derive(Clone, Debug)]
-pub(crate) struct Space {
+pub(crate) struct Projection {
     /// Radius ρ and origin z₀ of a ring, if the phase is an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x)
     /// sin ψ) with ψ = z − z₀. Otherwise x, y and z have straight axes.
     ///
@@ -78,10 +81,10 @@ pub(crate) struct Space {
     tilt: (f64, f64),
 }
 
-impl Space {
+impl Projection {
     /// The mapping for a figure's view; for a ring, with its radius and the phase from which the angle is
     /// measured.
-    pub(crate) fn new(view: &View, ring: Option<[f64; 2]>) -> Self {
+    pub(crate) fn new(view: &Viewpoint, ring: Option<[f64; 2]>) -> Self {
         let turned = |degrees: f64| libm::sincos(degrees.to_radians());
         Self { ring, stretch: view.stretch, turn: turned(view.turn), tilt: turned(view.tilt) }
     }
@@ -192,13 +195,13 @@ pub(crate) fn outline(corners: [State; 4]) -> Vec<State> {
 
 /// The curves or the surfaces of a figure, projected from its viewpoint.
 pub(crate) struct Drawn<'a, K> {
-    space: &'a Space,
+    space: &'a Projection,
     pub(crate) vertices: Vec<Vertex<K>>,
     number: u32,
 }
 
 impl<'a, K: Copy> Drawn<'a, K> {
-    pub(crate) fn new(space: &'a Space) -> Self {
+    pub(crate) fn new(space: &'a Projection) -> Self {
         Self { space, vertices: Vec::new(), number: 0 }
     }
 

@@ -1,6 +1,6 @@
 //! Theorems 2.2 to 2.5 in action: tables of their predictions and of computed results.
 
-use grazing_claims::outcome::Failure;
+use grazing_claims::outcome::CheckError;
 use grazing_claims::sweep::resonant::CurveRow;
 use grazing_claims::sweep::{
     CaseVerdict, Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows,
@@ -40,7 +40,7 @@ impl Study {
         let what = "theorems 2.2 to 2.5";
         self.progress.begin(what, (generic.len() + resonant.len()) as u64);
         let step = || self.progress.step(what);
-        let failed = |failure: Failure| StudyError::Sweep(failure.to_string());
+        let failed = |failure: CheckError| StudyError::Sweep(failure.to_string());
         let generic = rows(&generic, GenericRow::of, step).map_err(failed)?;
         let resonant = rows(&resonant, ResonantRow::of, step).map_err(failed)?;
         self.progress.end(what);

@@ -139,7 +139,7 @@ tables! {
         /// They are of admissible solutions.
         bifurcations: BranchBifurcation = "diagram_bifurcations", "a bifurcation on a branch of a one-parameter diagram",
         attractor: AttractorPoint = "diagram_attractor",
-            "a visit to Π by an orbit from a random state, after transients",
+            "a visit to Π by an orbit from a random state, after transients" as Cloud,
         /// Points are in order of time; one that is NaN breaks the line. There may be none.
         portraits: PortraitPoint = "diagram_portraits",
             "a point of an orbit in a phase portrait of a one-parameter diagram",

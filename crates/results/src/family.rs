@@ -57,7 +57,7 @@ rows! {
 
     /// A resonance of a member.
     #[derive(Serialize, Deserialize)]
-    Resonance {
+    FamilyResonance {
         varied: [f64; VARIED],
         loops: u32 = LOOPS,
         wall: u32 = WALL,
@@ -79,7 +79,7 @@ rows! {
 
     /// A codimension-two point of a member other than a resonance.
     #[derive(Serialize, Deserialize)]
-    Point {
+    FamilyPoint {
         varied: [f64; VARIED],
         kind: CodimensionTwo = CODIMENSION_TWO,
         loops: u32 = LOOPS,
@@ -92,7 +92,7 @@ rows! {
 
     /// A resonance on its curve between one member and the next.
     #[derive(Serialize, Deserialize)]
-    CurvePoint {
+    FamilyCurvePoint {
         varied: [f64; VARIED],
         loops: u32 = LOOPS,
         wall: u32 = WALL,
@@ -122,7 +122,7 @@ rows! {
 
 /// A panel of the figure of a family, over the constant that varies first.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Panel {
+pub struct FamilyPanel {
     /// Number of loops p.
     pub loops: u32,
     /// The quantity on the vertical axis.
@@ -146,13 +146,13 @@ tables! {
     /// All results for a family.
     Family {
         members: Member = "family_members", "a member of the family, with values of the constants that vary",
-        resonances: Resonance = "family_resonances", "a resonance of a member",
-        points: Point = "family_points", "a codimension-two point of a member that is not a resonance",
-        curves: CurvePoint = "family_curves", "a resonance between one member and the next",
+        resonances: FamilyResonance = "family_resonances", "a resonance of a member",
+        points: FamilyPoint = "family_points", "a codimension-two point of a member that is not a resonance" as Points,
+        curves: FamilyCurvePoint = "family_curves", "a resonance between one member and the next",
         degenerate: Degenerate = "family_degenerate", "a degenerate resonance between two members",
         ;
         /// The panels of the figure.
-        panels: Vec<Panel>,
+        panels: Vec<FamilyPanel>,
         /// The number of members with an object that was detected but could not be located or followed.
         incomplete: u32,
     }

@@ -290,6 +290,15 @@ pub fn symbol(name: &str) -> Option<String> {
     Some(Symbol::read(name)?.latex())
 }
 
+/// The words of a text, of ASCII letters, digits and characters that `join` these, and each character between them.
+pub fn words<'t>(text: &'t str, joins: &'t [char]) -> impl Iterator<Item = &'t str> {
+    let between = |character: char| !character.is_ascii_alphanumeric() && !joins.contains(&character);
+    text.split_inclusive(between).flat_map(move |piece| {
+        let (word, character) = piece.split_at(piece.find(between).unwrap_or(piece.len()));
+        [word, character].into_iter().filter(|piece| !piece.is_empty())
+    })
+}
+
 /// Whether a character changes the direction in which the text after it, or around it, is written; in a
 /// name from a file, such a character could make one text look like another.
 pub fn directs(character: char) -> bool {

@@ -81,7 +81,7 @@ rows! {
 
 tables! {
     /// Motion from a given state.
-    Simulated {
+    MotionFromState {
         motion: SimulatedMotion = "simulated_motion", "a point of the motion",
         impacts: SimulatedImpact = "simulated_impacts", "an impact",
         ;
@@ -114,7 +114,7 @@ tables! {
 }
 
 dimensioned! {
-    Simulated, |own| {
+    MotionFromState, |own| {
         own.motion,
         own.impacts,
     }

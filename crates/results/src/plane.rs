@@ -50,7 +50,7 @@ rows! {
     }
 
     /// A corner of a region.
-    Vertex {
+    RegionCorner {
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
         ring: u32 = RING,
@@ -91,7 +91,7 @@ rows! {
         loops: u32 = LOOPS,
         wall: u32 = WALL,
         n: u32 = RESONANCE_INDEX,
-        at: Vertex,
+        at: RegionCorner,
     }
 
     /// A point of a curve in a magnification about the resonance of p and n.
@@ -127,7 +127,7 @@ rows! {
     SequencePoint {
         impacts: u32 = LATER_IMPACTS,
         periods: u32 = LATER_PERIODS,
-        walls: Walls = LATER_WALLS,
+        walls: WallSequence = LATER_WALLS,
         kind: Bifurcation = BIFURCATION,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -147,8 +147,8 @@ rows! {
         kind: RegionKind = REGION_KIND,
         impacts: u32 = LATER_IMPACTS,
         periods: u32 = LATER_PERIODS,
-        walls: Walls = LATER_WALLS,
-        at: Vertex,
+        walls: WallSequence = LATER_WALLS,
+        at: RegionCorner,
     }
 }
 
@@ -203,19 +203,19 @@ row! { Property, |own| {} [
 
 /// The walls that the impacts of a solution hit, from 1, one after the other; none with one wall.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Walls(pub Vec<usize>);
+pub struct WallSequence(pub Vec<usize>);
 
-impl Display for Walls {
+impl Display for WallSequence {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
         let walls: Vec<_> = self.0.iter().map(usize::to_string).collect();
         formatter.write_str(&walls.join("-"))
     }
 }
 
-impl Field for Walls {}
+impl Field for WallSequence {}
 
-impl From<Walls> for Cell {
-    fn from(walls: Walls) -> Self {
+impl From<WallSequence> for Cell {
+    fn from(walls: WallSequence) -> Self {
         walls.to_string().into()
     }
 }
@@ -223,7 +223,7 @@ impl From<Walls> for Cell {
 impl SequenceVertex {
     /// The name of its region: K/P for K impacts in P forcing periods, between two walls K₁+K₂/P.
     pub fn name(&self) -> String {
-        let Self { impacts, periods, walls: Walls(walls), .. } = self;
+        let Self { impacts, periods, walls: WallSequence(walls), .. } = self;
         let at = |wall: usize| walls.iter().filter(|hit| **hit == wall).count();
         if walls.is_empty() {
             format!("{impacts}/{periods}")
@@ -233,7 +233,7 @@ impl SequenceVertex {
     }
 }
 
-impl Vertex {
+impl RegionCorner {
     /// The border of a region and those of its holes, as (primary, secondary) in order.
     pub fn rings<'a>(corners: impl IntoIterator<Item = &'a Self>) -> Vec<Vec<(f64, f64)>> {
         let corners: Vec<_> = corners.into_iter().collect();
@@ -300,7 +300,7 @@ dimensioned! {
 
 /// The line along which a one-parameter diagram runs in the plane.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Section {
+pub struct DiagramLine {
     /// The ends of the line, as (primary, secondary) parameter.
     pub ends: [(f64, f64); 2],
     /// The name of the one-parameter diagram, as `Fig. 2`.
@@ -310,7 +310,7 @@ pub struct Section {
 }
 
 dimensioned! {
-    Section, |own| {
+    DiagramLine, |own| {
         own.ends[0].0 => "{primary}",
         own.ends[0].1 => "{secondary}",
         own.ends[1].0 => "{primary}",
@@ -324,8 +324,8 @@ tables! {
         /// The curves are the grazing curve of the non-impacting solution and the bifurcation curves of
         /// MPSs. Consecutive points with equal kind, p, n and arc form one curve.
         curves: PlanePoint = "curves", "a point of a curve of the diagram",
-        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
-        regions: RegionVertex = "regions", "a vertex of a region of stability",
+        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point" as Points,
+        regions: RegionVertex = "regions", "a vertex of a region of stability" as Areas,
         ;
         /// The part of the plane that is shown: primary parameter horizontal, secondary parameter
         /// vertical.
@@ -333,7 +333,7 @@ tables! {
         /// The panels of the magnifications, whose frames are drawn.
         magnified: Vec<MagnifiedPanel>,
         /// The lines along which one-parameter diagrams run.
-        sections: Vec<Section>,
+        sections: Vec<DiagramLine>,
         /// The curves that the file requests.
         own: Vec<OwnPoint>,
         /// The measurements within the diagram.
@@ -348,7 +348,7 @@ tables! {
     SequenceDiagram: Dimensioned {
         resonances: SequenceResonance = "sequence_resonances", "a resonance on a curve along which solutions with impacts graze",
         curves: SequencePoint = "sequence_curves", "a point of a curve of solutions with several impacts",
-        regions: SequenceVertex = "sequence_regions", "a vertex of a region of stability of solutions with several impacts",
+        regions: SequenceVertex = "sequence_regions", "a vertex of a region of stability of solutions with several impacts" as Areas,
     }
 
     /// The curves that a file requests.

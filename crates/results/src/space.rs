@@ -122,7 +122,7 @@ tables! {
         /// piece form one polyline.
         curves: Vertex<CurveKind> = "curves", "a vertex of a curve",
         /// The points have names in the figure.
-        points: Mark = "points", "a point that is marked",
+        points: Mark = "points", "a point that is marked" as Points,
         /// The polylines are closed outlines of surfaces, lines on them, and the axes.
         surfaces: Vertex<SurfaceKind> = "surfaces", "a vertex of the outline of a surface, or of a line on one",
     }

@@ -13,6 +13,20 @@ pub trait Row {
     fn cells(&self) -> Vec<Cell>;
 }
 
+/// What the rows of a table are in a figure.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DrawnAs {
+    /// Points along curves, or anything that no other word fits.
+    #[default]
+    Curves,
+    /// Points that are marked.
+    Points,
+    /// Dots of a cloud, too many to tell apart.
+    Cloud,
+    /// What bounds areas, such as vertices of regions.
+    Areas,
+}
+
 /// A table's name and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TablePlan {
@@ -22,12 +36,14 @@ pub struct TablePlan {
     pub row: &'static str,
     /// The columns, in order.
     pub columns: &'static [Column],
+    /// What the rows are in a figure.
+    pub drawn: DrawnAs,
 }
 
 impl TablePlan {
     /// A table of rows of type `R`.
     pub const fn of<R: Row>(name: &'static str, row: &'static str) -> Self {
-        Self { name, row, columns: R::COLUMNS }
+        Self { name, row, columns: R::COLUMNS, drawn: DrawnAs::Curves }
     }
 
     /// The given tables with other names.
@@ -57,6 +73,8 @@ pub struct Table {
     pub units: Vec<String>,
     /// The rows.
     pub rows: Vec<Vec<Cell>>,
+    /// What the rows are in a figure.
+    pub drawn: DrawnAs,
 }
 
 impl Table {
@@ -87,7 +105,7 @@ impl Table {
         let headers = columns.iter().map(|column| column.header(names)).collect();
         let symbols = columns.iter().map(|column| column.symbol(names)).collect();
         let units = columns.iter().map(|column| column.unit(names)).collect();
-        Self { name, columns, headers, symbols, units, rows }
+        Self { name, columns, headers, symbols, units, rows, drawn: DrawnAs::default() }
     }
 
     /// The index of the column with this header.
@@ -220,7 +238,8 @@ macro_rules! row {
 }
 
 /// Declares the contents of an output: lists of rows, each with the name of its table, a description of a
-/// row and optional further documentation; then other fields. One that is declared as `Output: Dimensioned` is
+/// row, what the rows are in a figure ([`DrawnAs`](crate::DrawnAs)) unless they are points of curves, and optional further
+/// documentation; then other fields. One that is declared as `Output: Dimensioned` is
 /// [`Dimensioned`](crate::Dimensioned) in all its fields.
 #[macro_export]
 macro_rules! tables {
@@ -233,7 +252,7 @@ macro_rules! tables {
         }
     };
     ($($(#[$meta:meta])* $name:ident $(: $dimensioned:ident)? {
-        $($(#[$about:meta])* $rows:ident: $row:ty = $table:literal, $is:literal,)+
+        $($(#[$about:meta])* $rows:ident: $row:ty = $table:literal, $is:literal $(as $drawn:ident)?,)+
         $(; $($(#[$what:meta])* $other:ident: $type:ty,)+)?
     })+) => {$(
         $(#[$meta])*
@@ -244,7 +263,10 @@ macro_rules! tables {
         }
 
         impl $crate::Tables for $name {
-            const TABLES: &'static [$crate::TablePlan] = &[$($crate::TablePlan::of::<$row>($table, $is),)+];
+            const TABLES: &'static [$crate::TablePlan] = &[$($crate::TablePlan {
+                $(drawn: $crate::DrawnAs::$drawn,)?
+                ..$crate::TablePlan::of::<$row>($table, $is)
+            },)+];
 
             fn tables_of_all(
                 all: &[Self],
@@ -252,8 +274,9 @@ macro_rules! tables {
                 names: &$crate::Names,
             ) -> Vec<$crate::Table> {
                 let mut tables = tables.iter();
-                let each = [$(tables.next().map(|table| {
-                    $crate::Table::new(table.name, names, all.iter().flat_map(|one| &one.$rows))
+                let each = [$(tables.next().map(|table| $crate::Table {
+                    drawn: table.drawn,
+                    ..$crate::Table::new(table.name, names, all.iter().flat_map(|one| &one.$rows))
                 }),)+];
                 each.into_iter().flatten().collect()
             }

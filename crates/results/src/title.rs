@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 /// What a title stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum TitleSubject {
     /// The figure of the paper with this number.
     Figure(u32),
     /// A figure or table that goes beyond the paper.
@@ -18,7 +18,7 @@ pub enum Place {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Title<Words = String> {
     /// What it stands for.
-    pub place: Place,
+    pub place: TitleSubject,
     /// The words, which begin with a small letter after a number.
     pub words: Words,
 }
@@ -26,17 +26,17 @@ pub struct Title<Words = String> {
 impl Title<&'static str> {
     /// The title of a figure of the paper.
     pub const fn figure(number: u32, words: &'static str) -> Self {
-        Self { place: Place::Figure(number), words }
+        Self { place: TitleSubject::Figure(number), words }
     }
 
     /// The title of a figure or table beyond the paper.
     pub const fn beyond(words: &'static str) -> Self {
-        Self { place: Place::Beyond, words }
+        Self { place: TitleSubject::Beyond, words }
     }
 
     /// A title of words alone.
     pub const fn plain(words: &'static str) -> Self {
-        Self { place: Place::Elsewhere, words }
+        Self { place: TitleSubject::Elsewhere, words }
     }
 
     /// The title with words of its own.
@@ -49,16 +49,16 @@ impl<Words> Title<Words> {
     /// What stands before the words: `Figure 7`.
     pub fn before(&self) -> Option<String> {
         match self.place {
-            Place::Figure(number) => Some(format!("Figure {number}")),
-            Place::Beyond => Some("Beyond the paper".to_owned()),
-            Place::Elsewhere => None,
+            TitleSubject::Figure(number) => Some(format!("Figure {number}")),
+            TitleSubject::Beyond => Some("Beyond the paper".to_owned()),
+            TitleSubject::Elsewhere => None,
         }
     }
 }
 
 impl From<String> for Title {
     fn from(words: String) -> Self {
-        Self { place: Place::Elsewhere, words }
+        Self { place: TitleSubject::Elsewhere, words }
     }
 }
 
@@ -79,7 +79,7 @@ impl<Words: AsRef<str>> Display for Title<Words> {
 
 /// A part of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Part<'a> {
+pub enum TitlePart<'a> {
     /// Words.
     Words(&'a str),
     /// The mention of the paper's figure with this number.
@@ -90,7 +90,7 @@ pub enum Part<'a> {
 const TIED: &str = "Figure~";
 
 /// The parts of a text that mentions figures of the paper as `Figure~7`.
-pub fn parts(text: &str) -> impl Iterator<Item = Part<'_>> {
+pub fn parts(text: &str) -> impl Iterator<Item = TitlePart<'_>> {
     let mut rest = text;
     std::iter::from_fn(move || {
         let number = |after: &str| {
@@ -99,21 +99,21 @@ pub fn parts(text: &str) -> impl Iterator<Item = Part<'_>> {
         };
         if let Some((figure, end)) = rest.strip_prefix(TIED).and_then(number) {
             rest = &rest[TIED.len() + end..];
-            return Some(Part::Figure(figure));
+            return Some(TitlePart::Figure(figure));
         }
         let first = rest.chars().next()?.len_utf8();
         let mut mentions = rest.match_indices(TIED).map(|(at, _)| at).filter(|at| *at >= first);
         let words;
         (words, rest) = rest.split_at(mentions.next().unwrap_or(rest.len()));
-        Some(Part::Words(words))
+        Some(TitlePart::Words(words))
     })
 }
 
 /// The text with its mentions of figures in words: `Figure 7`.
 pub fn without_ties(text: &str) -> String {
     let word = |part| match part {
-        Part::Words(words) => Cow::Borrowed(words),
-        Part::Figure(number) => Cow::Owned(format!("Figure {number}")),
+        TitlePart::Words(words) => Cow::Borrowed(words),
+        TitlePart::Figure(number) => Cow::Owned(format!("Figure {number}")),
     };
     parts(text).map(word).collect()
 }

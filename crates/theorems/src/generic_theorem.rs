@@ -4,7 +4,7 @@
 use crate::admissibility_boundary::admissibility_boundary;
 use crate::auxiliary::detuning;
 use crate::grazing::GrazingPoint;
-use crate::hypothesis::{Condition, HypothesesViolated, Hypothesis, Quantity, Theorem, check};
+use crate::hypothesis::{HypothesesViolated, Hypothesis, ImposedCondition, Quantity, Theorem, check};
 
 /// A side of the bifurcation, as the sign of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -110,7 +110,7 @@ pub(crate) fn common_hypotheses(point: &GrazingPoint, theorem: Theorem, loops: u
             hypotheses.push(Hypothesis::positive(Quantity::SquareRootFactor, alpha));
         }
         Theorem::GenericMultiLoop | Theorem::ResonantMultiLoop => hypotheses.extend([
-            Hypothesis::new(Quantity::Loops, f64::from(loops), Condition::AtLeast(2)),
+            Hypothesis::new(Quantity::Loops, f64::from(loops), ImposedCondition::AtLeast(2)),
             Hypothesis::positive(Quantity::OffDiagonalTimesSquareRootFactor, point.map.a.m12 * alpha),
         ]),
     }

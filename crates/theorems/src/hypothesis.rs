@@ -69,7 +69,7 @@ shown! {
 
 /// A condition that a theorem imposes on a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Condition {
+pub enum ImposedCondition {
     /// At least this number.
     AtLeast(u32),
     /// Greater than zero and finite.
@@ -91,30 +91,30 @@ pub struct Hypothesis {
     /// The value of the quantity.
     pub value: f64,
     /// The condition that the theorem imposes.
-    pub condition: Condition,
+    pub condition: ImposedCondition,
 }
 
 impl Hypothesis {
-    pub(crate) fn new(quantity: Quantity, value: f64, condition: Condition) -> Self {
+    pub(crate) fn new(quantity: Quantity, value: f64, condition: ImposedCondition) -> Self {
         Self { quantity, value, condition }
     }
 
     pub(crate) fn positive(quantity: Quantity, value: f64) -> Self {
-        Self::new(quantity, value, Condition::Positive)
+        Self::new(quantity, value, ImposedCondition::Positive)
     }
 
     pub(crate) fn non_zero(quantity: Quantity, value: f64) -> Self {
-        Self::new(quantity, value, Condition::NonZero)
+        Self::new(quantity, value, ImposedCondition::NonZero)
     }
 
     /// The condition as text, such as "a12 alpha > 0".
     pub fn statement(&self) -> String {
         let quantity = self.quantity;
         match self.condition {
-            Condition::AtLeast(bound) => format!("{quantity} >= {bound}"),
-            Condition::Positive => format!("{quantity} > 0"),
-            Condition::NonZero => format!("{quantity} != 0"),
-            Condition::Zero { .. } => format!("{quantity} = 0"),
+            ImposedCondition::AtLeast(bound) => format!("{quantity} >= {bound}"),
+            ImposedCondition::Positive => format!("{quantity} > 0"),
+            ImposedCondition::NonZero => format!("{quantity} != 0"),
+            ImposedCondition::Zero { .. } => format!("{quantity} = 0"),
         }
     }
 
@@ -122,10 +122,10 @@ impl Hypothesis {
     pub fn holds(&self) -> bool {
         self.value.is_finite()
             && match self.condition {
-                Condition::AtLeast(bound) => self.value >= f64::from(bound),
-                Condition::Positive => self.value > 0.0,
-                Condition::NonZero => self.value != 0.0,
-                Condition::Zero { tolerance } => self.value.abs() <= tolerance,
+                ImposedCondition::AtLeast(bound) => self.value >= f64::from(bound),
+                ImposedCondition::Positive => self.value > 0.0,
+                ImposedCondition::NonZero => self.value != 0.0,
+                ImposedCondition::Zero { tolerance } => self.value.abs() <= tolerance,
             }
     }
 }
@@ -134,7 +134,7 @@ impl fmt::Display for Hypothesis {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { quantity, value, condition } = self;
         formatter.write_str(&self.statement())?;
-        if let Condition::Zero { tolerance } = condition {
+        if let ImposedCondition::Zero { tolerance } = condition {
             write!(formatter, " (within {tolerance:e})")?;
         }
         write!(formatter, ", where {quantity} is {value}")

@@ -93,7 +93,7 @@ pub struct VisitHeight {
 
 /// The event at which the stable, admissible MPSs that leave a resonance end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Boundary {
+pub enum EndEvent {
     /// A saddle-node bifurcation.
     SaddleNode,
     /// A multiplier of −1.
@@ -106,7 +106,7 @@ pub enum Boundary {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VelocityBound {
     /// The event at this end.
-    pub boundary: Boundary,
+    pub boundary: EndEvent,
     /// The impact velocity at this end per unit of η; it has the sign of the side of η.
     pub velocity_slope: f64,
 }
@@ -220,12 +220,12 @@ impl IteratedResonance {
         let turn = grazing.alpha() * grazing.forcing_frequency * self.point.off_diagonal_slope();
         // Linear forms in V and the sign of η that are positive where the condition holds.
         let stable = [
-            (Boundary::SaddleNode, -stability.plus, turn),
-            (Boundary::PeriodDoubling, stability.minus, -turn),
+            (EndEvent::SaddleNode, -stability.plus, turn),
+            (EndEvent::PeriodDoubling, stability.minus, -turn),
         ];
         let visits = (1..).zip(&self.visits);
         let before_the_wall =
-            visits.map(|(number, visit)| (Boundary::Visit(number), -visit.by_velocity, -visit.by_eta));
+            visits.map(|(number, visit)| (EndEvent::Visit(number), -visit.by_velocity, -visit.by_eta));
         let (mut slowest, mut fastest): (Option<VelocityBound>, Option<VelocityBound>) = (None, None);
         for (boundary, by_velocity, by_eta) in stable.into_iter().chain(before_the_wall) {
             let bound = VelocityBound { boundary, velocity_slope: -by_eta / by_velocity };

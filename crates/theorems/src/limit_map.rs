@@ -102,8 +102,8 @@ use crate::grazing::GrazingPoint;
 use crate::unfolding::ResonantPoint;
 
 /// Floating-point or exact numbers.
-pub trait Number: Num + Neg<Output = Self> + Copy {}
-impl<T: Num + Neg<Output = T> + Copy> Number for T {}
+pub trait Arithmetic: Num + Neg<Output = Self> + Copy {}
+impl<T: Num + Neg<Output = T> + Copy> Arithmetic for T {}
 
 /// An impact in the limit: velocity Y and phase V after the recoil.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,15 +134,15 @@ pub enum Departure {
     Missed,
 }
 
-fn half<T: Number>(x: T) -> T {
+fn half<T: Arithmetic>(x: T) -> T {
     x / (T::one() + T::one())
 }
 
-fn square<T: Number>(x: T) -> T {
+fn square<T: Arithmetic>(x: T) -> T {
     x * x
 }
 
-impl<T: Number> LimitMap<T> {
+impl<T: Arithmetic> LimitMap<T> {
     /// The map with these numbers, for p loops: −1 < d < 1, d < 0 if p ≥ 2, s^± ≠ 0 and |rd| ≠ 1.
     ///
     /// # Errors

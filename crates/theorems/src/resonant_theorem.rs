@@ -3,7 +3,7 @@
 
 use crate::auxiliary::detuning;
 use crate::generic_theorem::{Side, common_hypotheses};
-use crate::hypothesis::{Condition, HypothesesViolated, Hypothesis, Quantity, Theorem, check};
+use crate::hypothesis::{HypothesesViolated, Hypothesis, ImposedCondition, Quantity, Theorem, check};
 use crate::unfolding::{BranchExpansion, ResonantPoint, Unfolding};
 
 /// A curve in the `(eta, mu)` plane along which the maximal periodic solution bifurcates, to
@@ -70,7 +70,7 @@ impl ResonantGrazing {
     pub fn check(point: &ResonantPoint, resonance_tolerance: f64) -> Result<Self, HypothesesViolated> {
         let map = &point.grazing.map;
         let stability = point.stability_coefficients();
-        let resonance = Condition::Zero { tolerance: resonance_tolerance };
+        let resonance = ImposedCondition::Zero { tolerance: resonance_tolerance };
         let Unfolding { loops, derivative } = point.unfolding;
         let (theorem, at_resonance, unfolded) = if loops == 1 {
             (

@@ -9,7 +9,7 @@ use grazing_model::{ImpactOscillator, LinearOscillator, State};
 
 /// One of the at most two p-loop MPSs.
 #[derive(Clone, Copy, Debug)]
-pub struct Orbit {
+pub struct ClosedFormOrbit {
     /// Impact velocity y.
     pub velocity: f64,
     /// Impact phase z.
@@ -22,7 +22,7 @@ pub struct Orbit {
     pub ceiling: f64,
 }
 
-impl Orbit {
+impl ClosedFormOrbit {
     /// Whether both multipliers lie inside the unit circle; D is less than one for every oscillator of
     /// this kind.
     pub fn stable(&self) -> bool {
@@ -39,7 +39,7 @@ impl Orbit {
 const AT_FOLD: f64 = 1e-12;
 
 /// The MPSs with p = `loops` at this amplitude and frequency, including virtual ones (y < 0).
-pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -> Vec<Orbit> {
+pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -> Vec<ClosedFormOrbit> {
     let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
     let mu = amplitude - solutions.grazing_amplitude();
     let mut found = solutions.at(mu);
@@ -51,11 +51,17 @@ pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -
 }
 
 /// A solution with its highest interior maximum.
-pub(crate) fn orbit(zeta: f64, epsilon: f64, solution: &LoopSolution, omega: f64, loops: u32) -> Orbit {
+pub(crate) fn orbit(
+    zeta: f64,
+    epsilon: f64,
+    solution: &LoopSolution,
+    omega: f64,
+    loops: u32,
+) -> ClosedFormOrbit {
     let LoopSolution { velocity, phase, amplitude, trace, determinant, .. } = *solution;
     let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, omega).expect("valid parameters");
     let motion = oscillator.motion(State::on_wall(-epsilon * velocity, phase));
     let highest = motion.highest_maximum(TAU * f64::from(loops) / omega);
     let ceiling = highest.map_or(f64::NEG_INFINITY, |maximum| maximum.position);
-    Orbit { velocity, phase, trace, determinant, ceiling }
+    ClosedFormOrbit { velocity, phase, trace, determinant, ceiling }
 }

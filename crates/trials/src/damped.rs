@@ -123,7 +123,7 @@ impl Damped {
 
 /// What became of an oscillator.
 #[derive(Clone, Debug, Default)]
-pub struct Outcome {
+pub struct UnfoldTrial {
     /// The oscillator's name.
     pub name: String,
     /// CPU seconds, or seconds of the clock on the wall where the system does not count these.
@@ -140,14 +140,14 @@ pub struct Outcome {
     pub reasons: Vec<String>,
 }
 
-impl Outcome {
+impl UnfoldTrial {
     /// Whether the oscillator was unfolded in time, and what is hatched has its reason.
     pub fn passes(&self) -> bool {
         !self.stopped && (self.hatched == 0.0 || !self.reasons.is_empty())
     }
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for UnfoldTrial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, seconds, stopped, resonances, points, hatched, reasons } = self;
         let end = if *stopped { "STOPPED after" } else { "unfolded in" };
@@ -163,7 +163,7 @@ impl fmt::Display for Outcome {
 ///
 /// # Panics
 /// The text that was made is no description of an oscillator.
-pub fn unfold(text: &str, longest: f64) -> Outcome {
+pub fn unfold(text: &str, longest: f64) -> UnfoldTrial {
     let description = Description::parse(text, "random").unwrap_or_else(|error| panic!("{error}\n{text}"));
     let (stop, done, start) = (Stop::default(), AtomicBool::new(false), clock());
     let unfolded = thread::scope(|scope| {
@@ -182,7 +182,7 @@ pub fn unfold(text: &str, longest: f64) -> Outcome {
     });
     let seconds = clock() - start;
     let name = description.name().to_owned();
-    let mut outcome = Outcome { name, seconds, stopped: seconds > longest, ..Outcome::default() };
+    let mut outcome = UnfoldTrial { name, seconds, stopped: seconds > longest, ..UnfoldTrial::default() };
     match unfolded {
         Err(error) => outcome.reasons.push(error.to_string()),
         Ok(Unfolded { diagram, .. }) => {

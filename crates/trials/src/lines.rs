@@ -142,7 +142,7 @@ const SMALLEST: f64 = 0.02;
 
 /// The result of comparing the lines of one window.
 #[derive(Clone, Debug, Default)]
-pub struct Outcome {
+pub struct LineComparison {
     /// The lines on which the diagram is wrong.
     pub wrong: Vec<Wrong>,
     /// The hatched fraction of the lines, summed over all p.
@@ -157,7 +157,7 @@ pub fn compare(
     loops: &[u32],
     lines: usize,
     random: &mut Random,
-) -> Outcome {
+) -> LineComparison {
     let scope = Scope { window, loops: loops.to_vec(), start: None };
     let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])
         .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));
@@ -168,7 +168,7 @@ pub fn compare(
         }
         Err(_) => (Vec::new(), Vec::new()),
     };
-    let mut outcome = Outcome::default();
+    let mut outcome = LineComparison::default();
     let [width, height] = window.widths();
     for _ in 0..lines {
         let secondary = random.uniform(window.secondary[0], window.secondary[1]);

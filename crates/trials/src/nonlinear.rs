@@ -33,7 +33,7 @@ pub enum Disagreement {
 
 /// The results on a lattice of points.
 #[derive(Clone, Debug, Default)]
-pub struct Outcome {
+pub struct LatticeComparison {
     /// The fraction of the points at which some p is shaded.
     pub shaded: f64,
     /// The fraction of the points at which some p is hatched.
@@ -48,7 +48,7 @@ pub struct Outcome {
     pub doubts: Vec<String>,
 }
 
-impl Outcome {
+impl LatticeComparison {
     /// The number of disagreements of a kind.
     pub fn count(&self, kind: Disagreement) -> usize {
         self.wrong.iter().filter(|(.., found)| *found == kind).count()
@@ -73,7 +73,7 @@ pub fn unfolded(description: &Description) -> Result<Diagram, UnfoldError> {
 
 /// Compares a diagram with continuation and simulation on a lattice, with `states` random states at each
 /// point.
-pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
+pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> LatticeComparison {
     let Scope { window, loops, .. } = &diagram.scope;
     let at = |[low, high]: [f64; 2], k: usize| low + (high - low) * (k as f64 + 0.5) / lattice as f64;
     let points: Vec<[f64; 2]> = (0..lattice * lattice)
@@ -88,7 +88,7 @@ pub fn compare(diagram: &Diagram, lattice: usize, states: u32) -> Outcome {
             (0..states).filter_map(|_| settled(&here, &mut random)).collect()
         })
         .collect();
-    let mut outcome = Outcome { doubts: doubts(diagram), ..Outcome::default() };
+    let mut outcome = LatticeComparison { doubts: doubts(diagram), ..LatticeComparison::default() };
     let (mut shaded, mut hatched) = (vec![false; points.len()], vec![false; points.len()]);
     for (&point, here) in points.iter().zip(&seen) {
         let stays_off = here.iter().any(|settled| settled.loops == 0);

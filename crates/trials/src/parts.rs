@@ -53,7 +53,7 @@ impl fmt::Display for Difference {
 
 /// The result of comparing one part.
 #[derive(Clone, Debug, Default)]
-pub struct Outcome {
+pub struct PartComparison {
     /// The number of points at which both are shaded, or both white.
     pub agreed: usize,
     /// The fraction of the points that is hatched in the part and not in the whole, for any p, and the
@@ -75,7 +75,7 @@ fn marks(diagram: &Diagram) -> Vec<(u32, String, Vec<Point>)> {
     let grazing = |curve: &grazing_unfold::grazing::GrazingCurve| {
         (0, "grazing curve".to_owned(), curve.parameters().collect())
     };
-    let resonance = |resonance: &grazing_unfold::resonances::Resonance| {
+    let resonance = |resonance: &grazing_unfold::resonances::FoundResonance| {
         let [.., primary, secondary]: [f64; 4] = resonance.located.unknowns().into();
         let name = format!("resonance, p = {}, n = {}", resonance.loops, resonance.n);
         (resonance.loops, name, vec![[primary, secondary]])
@@ -159,9 +159,9 @@ pub fn compare(
     part: Option<&Diagram>,
     points: usize,
     random: &mut Random,
-) -> Outcome {
+) -> PartComparison {
     let all = whole.scope.window;
-    let mut outcome = Outcome::default();
+    let mut outcome = PartComparison::default();
     let (common, missing) = lacking(all, window, Has::Whole, whole, part);
     outcome.common = common;
     outcome.differences = missing;

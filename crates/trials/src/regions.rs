@@ -13,7 +13,7 @@ use crate::random::Random;
 
 /// The result of comparing one oscillator at random points.
 #[derive(Clone, Debug, Default)]
-pub struct Outcome {
+pub struct RegionComparison {
     /// The number of points with a stable, admissible MPS of some p that is shaded.
     pub shaded: usize,
     /// (p, amplitude, frequency) of points with a stable, admissible MPS where nothing is shaded or
@@ -100,11 +100,11 @@ pub fn compare(
     loops: &[u32],
     points: usize,
     random: &mut Random,
-) -> Outcome {
+) -> RegionComparison {
     let scope = Scope { window, loops: loops.to_vec(), start: None };
     let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])
         .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));
-    let mut outcome = Outcome::default();
+    let mut outcome = RegionComparison::default();
     let diagram = match Diagram::compute(&AnyOscillator::new(oscillator), &scope, &Silent) {
         Ok(diagram) => diagram,
         Err(error) => {

@@ -17,7 +17,7 @@ use crate::own_curves::{self, FoundCurve};
 use crate::parallel;
 use crate::progress::Progress;
 use crate::regions::{self, Decided, Region};
-use crate::resonances::{self, Resonance, Unlocated};
+use crate::resonances::{self, FoundResonance, Unlocated};
 use crate::unfinished::Unfinished;
 use crate::{Scope, UnfoldError};
 
@@ -73,10 +73,10 @@ pub struct Diagram {
     /// The reason why there is no grazing curve, if there is none.
     pub no_grazing: Option<UnfoldError>,
     /// All resonances on the grazing curves, by p and along the curve.
-    pub resonances: Vec<Resonance>,
+    pub resonances: Vec<FoundResonance>,
     /// Resonances of one loop where p = 1 is not in the scope: solutions of more loops leave them
     /// as well.
-    pub one_loop: Vec<Resonance>,
+    pub one_loop: Vec<FoundResonance>,
     /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the
     /// MPSs, by p.
     pub curves: Vec<DiagramCurve>,
@@ -87,7 +87,7 @@ pub struct Diagram {
     /// Requests for further curves, along which solutions have a property.
     pub requested: Vec<OwnCurve>,
     /// The curves with these properties that were found.
-    pub own: own_curves::Found,
+    pub own: own_curves::FoundCurves,
     /// Resonances that were detected but could not be located.
     pub unlocated: Vec<Unlocated>,
     /// Resonances whose curves could not be followed.
@@ -188,7 +188,7 @@ impl Diagram {
             codimension_two: Vec::new(),
             regions,
             requested: Vec::new(),
-            own: own_curves::Found::default(),
+            own: own_curves::FoundCurves::default(),
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
             unfinished,
@@ -282,7 +282,7 @@ impl Diagram {
                     pieces.into_iter().map(|curve| FoundCurve { curve, ..*found }).collect::<Vec<_>>()
                 };
                 let own = wide.own.curves.iter().flat_map(pieces).collect();
-                self.own = own_curves::Found { curves: own, lost: wide.own.lost };
+                self.own = own_curves::FoundCurves { curves: own, lost: wide.own.lost };
                 self.codimension_two = wide.codimension_two.into_iter().filter(inside).collect();
                 self.unfinished.extend(wide.unfinished);
             }
@@ -370,7 +370,7 @@ impl Diagram {
     }
 
     /// The resonances at which a theorem holds, with the theorem.
-    pub fn unfolding(&self) -> impl Iterator<Item = (&Resonance, &ResonantGrazingPoint)> {
+    pub fn unfolding(&self) -> impl Iterator<Item = (&FoundResonance, &ResonantGrazingPoint)> {
         self.resonances.iter().filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))
     }
 
@@ -416,7 +416,7 @@ impl Diagram {
 }
 
 /// The curves of a resonance in the order in which they are listed.
-fn listed(index: usize, resonance: &Resonance, unfolded: UnfoldedResonance) -> Followed {
+fn listed(index: usize, resonance: &FoundResonance, unfolded: UnfoldedResonance) -> Followed {
     let (loops, n) = (resonance.loops, resonance.n);
     let curve = |curve: &Curve| {
         let kind = Bifurcation::of(curve.condition, loops)?;

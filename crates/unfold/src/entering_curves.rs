@@ -14,7 +14,7 @@ use crate::Scope;
 use crate::curves::{DiagramCurve, Net, drawn};
 use crate::grazing::{GrazingCurve, GrazingEnd};
 use crate::progress::Silent;
-use crate::resonances::{self, Resonance};
+use crate::resonances::{self, FoundResonance};
 
 /// The most resonances outside a window whose curves are followed, those nearest to it.
 const NEAREST: usize = 4;
@@ -61,7 +61,7 @@ pub(crate) fn entering(
     let loops = equations.loops();
     let own = Scope { loops: vec![loops], ..about.clone() };
     let found = grazing.iter().flat_map(|curve| resonances::on_curve(curve, &own, &Silent).0).collect();
-    let mut outside: Vec<(f64, Resonance)> = resonances::distinct(found, about.window)
+    let mut outside: Vec<(f64, FoundResonance)> = resonances::distinct(found, about.window)
         .into_iter()
         .map(|resonance| {
             (distance(scope.window, resonance.located.orbit().oscillator().parameters()), resonance)

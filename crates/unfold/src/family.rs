@@ -33,12 +33,12 @@ pub struct Varied {
 
 /// The members of a family: all combinations of values, the first constant varying fastest.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct FamilyPlan {
     /// One to three constants.
     pub varied: Vec<Varied>,
 }
 
-impl Plan {
+impl FamilyPlan {
     /// The number of members.
     pub fn count(&self) -> usize {
         self.varied.iter().map(|varied| varied.values.len()).product()
@@ -69,7 +69,7 @@ const MEMBERS: &str = "members of the family";
 /// The records of some members, each given with its number; none for members that were not finished when
 /// the computation was cancelled.
 pub fn records(
-    plan: &Plan,
+    plan: &FamilyPlan,
     members: &[(usize, Description)],
     tell: Tell<'_>,
     stop: &Stop,
@@ -89,7 +89,7 @@ pub fn records(
 }
 
 /// The names in the headers of a family's tables.
-pub fn names(plan: &Plan, description: &Description) -> Names {
+pub fn names(plan: &FamilyPlan, description: &Description) -> Names {
     let own = |varied: &Varied| own_header(&varied.name, Family::TABLES.iter());
     let varied: Vec<String> = plan.varied.iter().map(own).collect();
     Axes::of(description).names.with_varied(&varied)

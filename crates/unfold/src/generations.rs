@@ -16,11 +16,11 @@ use crate::diagram::Diagram;
 use crate::grazing::GrazingCurve;
 use crate::parallel;
 use crate::progress::Progress;
-use crate::resonances::{Resonance, Unlocated, distinct, on_curve};
+use crate::resonances::{FoundResonance, Unlocated, distinct, on_curve};
 
 /// A curve along which solutions with impacts graze.
 #[derive(Clone, Debug)]
-pub struct Base {
+pub struct BaseCurve {
     /// The number of impacts of the solutions.
     pub impacts: usize,
     /// The index of the curve among those of these solutions.
@@ -42,7 +42,7 @@ pub struct BaseName {
     pub index: usize,
 }
 
-impl Base {
+impl BaseCurve {
     /// The name of the base.
     pub fn name(&self) -> BaseName {
         let Self { impacts, index, ref curve } = *self;
@@ -51,9 +51,9 @@ impl Base {
 }
 
 /// The curves of a diagram along which its MPSs graze.
-pub fn bases(diagram: &Diagram) -> Vec<Base> {
+pub fn bases(diagram: &Diagram) -> Vec<BaseCurve> {
     let curves = diagram.curves.iter().enumerate().filter(|(_, curve)| curve.kind == Bifurcation::Grazing);
-    curves.map(|(index, curve)| Base { impacts: 1, index, curve: curve.clone() }).collect()
+    curves.map(|(index, curve)| BaseCurve { impacts: 1, index, curve: curve.clone() }).collect()
 }
 
 /// A resonance of motion with impacts, and the curves that leave it.
@@ -62,7 +62,7 @@ pub struct LaterResonance {
     /// The motion that grazes there.
     pub base: BaseName,
     /// The resonance; its number of loops is that of rounds of the grazing motion.
-    pub resonance: Resonance,
+    pub resonance: FoundResonance,
     /// The SN, PD and GZ curves that were followed from it, where a theorem holds.
     pub curves: Vec<Curve>,
     /// The reasons why others are missing.
@@ -95,7 +95,7 @@ const STAGE: &str = "resonances of motion with impacts";
 
 /// The resonances of the scope's numbers of loops on curves at which solutions with impacts graze, by curve
 /// and by q, with the curves that leave them.
-pub fn later(diagram: &Diagram, bases: &[Base], scope: &Scope, progress: &dyn Progress) -> Later {
+pub fn later(diagram: &Diagram, bases: &[BaseCurve], scope: &Scope, progress: &dyn Progress) -> Later {
     progress.begin(STAGE, bases.len() as u64);
     let found = parallel::map(bases, |base| {
         let found = Purpose::Curves.during(|| on_base(diagram, base, scope, progress));
@@ -111,12 +111,12 @@ pub fn later(diagram: &Diagram, bases: &[Base], scope: &Scope, progress: &dyn Pr
     all
 }
 
-fn on_base(diagram: &Diagram, base: &Base, scope: &Scope, progress: &dyn Progress) -> Later {
+fn on_base(diagram: &Diagram, base: &BaseCurve, scope: &Scope, progress: &dyn Progress) -> Later {
     let equations = diagram.equations(base.curve.loops);
     let grazing = GrazingCurve::of_impacting(&equations, &base.curve.curve, scope);
     let (found, unlocated) = on_curve(&grazing, scope, progress);
     let route = drawn(scope.window);
-    let unfold = |resonance: Resonance| {
+    let unfold = |resonance: FoundResonance| {
         let unfolded = resonance.theorem.as_ref().ok().map(|point| point.unfold(&route));
         let (curves, missing) = match unfolded {
             Some(Ok(unfolded)) => (unfolded.curves().cloned().collect(), unfolded.missing),

@@ -8,7 +8,9 @@ pub mod along;
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd, across};
+use grazing_continuation::arclength::{
+    CurveEquations, Stall, StepControl, Tangent, Traversal, WalkEnd, across,
+};
 use grazing_continuation::curve::{Curve, CurvePoint};
 use grazing_continuation::mps::{LoopEquations, Multipliers, PeriodicSolution, unknown};
 use grazing_continuation::newton::{Linearisation, NewtonFailure};
@@ -24,7 +26,7 @@ use crate::window_edge::on_the_edge;
 
 /// A point of a grazing curve.
 #[derive(Clone, Debug)]
-pub struct GrazingState {
+pub struct GrazingCurvePoint {
     /// The grazing orbit, with P_global to second order.
     pub orbit: GrazingOrbit,
     /// The curve's tangent (z, μ, η) there, a unit vector when μ and η are measured in units of
@@ -44,7 +46,7 @@ pub type GrazingEnd = WalkEnd<MapError>;
 #[derive(Clone, Debug)]
 pub struct GrazingCurve {
     /// The points in order; η is less at the first than at the last.
-    pub states: Vec<GrazingState>,
+    pub states: Vec<GrazingCurvePoint>,
     /// The ends before the first point and after the last.
     pub ends: [GrazingEnd; 2],
     /// The number of forcing periods after which the motion recurs; phases are divided by it.
@@ -72,7 +74,8 @@ impl GrazingCurve {
         let passage = orbit.passage().clone();
         let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0, passage };
         let start = scope.place(orbit);
-        let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
+        let walk =
+            Traversal { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
         let leaves = |before: &Vector3<f64>, (after, tangent): &Tangent<Vector3<f64>>| {
             let (edge, _) = on_the_edge(&equations, [1, 2], [before, after])?;
             Some((edge, equations.tangent(&edge, tangent).unwrap_or(*tangent)))
@@ -99,7 +102,7 @@ impl GrazingCurve {
     /// that has impacts elsewhere.
     pub fn of_impacting(equations: &LoopEquations, curve: &Curve, scope: &Scope) -> Self {
         let ends = [WalkEnd::LeftWindow, WalkEnd::LeftWindow];
-        let mut states: Vec<GrazingState> = Vec::with_capacity(curve.points.len());
+        let mut states: Vec<GrazingCurvePoint> = Vec::with_capacity(curve.points.len());
         for CurvePoint { solution, times } in &curve.points {
             let Some(orbit) = equations.touching_orbit(&solution.unknowns, times) else { continue };
             let passage = orbit.passage().clone();
@@ -119,7 +122,7 @@ impl GrazingCurve {
 
     /// The parameters (μ, η) along the curve.
     pub fn parameters(&self) -> impl Iterator<Item = [f64; 2]> {
-        self.states.iter().map(GrazingState::parameters)
+        self.states.iter().map(GrazingCurvePoint::parameters)
     }
 
     /// The first place of the curve at a value of η, if it reaches that value.
@@ -129,7 +132,7 @@ impl GrazingCurve {
 
     /// The places of the curve at a value of η, in the order of the curve.
     pub fn all_at(&self, secondary: f64) -> impl Iterator<Item = GrazingPlace> {
-        let around = move |pair: &&[GrazingState]| {
+        let around = move |pair: &&[GrazingCurvePoint]| {
             let [a, b] = [0, 1].map(|k| pair[k].parameters()[1]);
             a.min(b) <= secondary && secondary <= a.max(b)
         };
@@ -151,7 +154,7 @@ impl GrazingCurve {
 }
 
 /// The place at a value of η between two neighbouring points of a curve.
-pub(crate) fn interpolated(neighbours: &[GrazingState], secondary: f64) -> Option<GrazingPlace> {
+pub(crate) fn interpolated(neighbours: &[GrazingCurvePoint], secondary: f64) -> Option<GrazingPlace> {
     let [first, last] = [neighbours.first()?, neighbours.last()?].map(|state| &state.orbit);
     let [[a, from], [b, to]] = [first, last].map(|orbit| orbit.oscillator().parameters());
     let way = if to == from { 0.0 } else { (secondary - from) / (to - from) };
@@ -267,7 +270,7 @@ impl CurveEquations for GrazingEquations<'_> {
     }
 }
 
-impl GrazingState {
+impl GrazingCurvePoint {
     /// The parameters (μ, η).
     pub fn parameters(&self) -> [f64; 2] {
         self.orbit.oscillator().parameters()
@@ -316,8 +319,8 @@ impl GrazingEquations<'_> {
 
     /// The states at the points, and at more points between them where A turns far from one to the
     /// next.
-    fn states(&self, points: &[Tangent<Vector3<f64>>]) -> Vec<GrazingState> {
-        let mut states: Vec<GrazingState> = Vec::with_capacity(points.len());
+    fn states(&self, points: &[Tangent<Vector3<f64>>]) -> Vec<GrazingCurvePoint> {
+        let mut states: Vec<GrazingCurvePoint> = Vec::with_capacity(points.len());
         for (point, tangent) in points {
             let Some(state) = self.state(point, tangent) else { continue };
             if let Some(last) = states.pop() {
@@ -329,7 +332,13 @@ impl GrazingEquations<'_> {
     }
 
     /// Adds a point and the points between it and the next.
-    fn fill(&self, from: GrazingState, to: &GrazingState, halvings: u32, states: &mut Vec<GrazingState>) {
+    fn fill(
+        &self,
+        from: GrazingCurvePoint,
+        to: &GrazingCurvePoint,
+        halvings: u32,
+        states: &mut Vec<GrazingCurvePoint>,
+    ) {
         let gap = self.scope.place(&to.orbit) - self.scope.place(&from.orbit);
         let turn = from.turn(gap.norm()).max(to.turn(gap.norm()));
         let nearby = || Self { passage: from.orbit.passage().clone(), ..*self };
@@ -340,7 +349,7 @@ impl GrazingEquations<'_> {
     }
 
     /// The point of the curve half-way on from a point.
-    fn middle(&self, from: &GrazingState, gap: &Vector3<f64>) -> Option<GrazingState> {
+    fn middle(&self, from: &GrazingCurvePoint, gap: &Vector3<f64>) -> Option<GrazingCurvePoint> {
         let half = self.scope.place(&from.orbit) + gap * 0.5;
         let point = across(self, half, gap, &half)?.point;
         if (point - half).norm() > 0.5 * gap.norm() {
@@ -366,7 +375,7 @@ impl GrazingEquations<'_> {
 
     /// The state at a point; `None` where P_global has no second derivatives, or motion is not
     /// turned back from the wall.
-    fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState> {
+    fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingCurvePoint> {
         let mut orbit = self.orbit(point)?;
         let admissible = |orbit: &GrazingOrbit| match orbit.impacts() {
             [] => {
@@ -392,7 +401,7 @@ impl GrazingEquations<'_> {
                 Multipliers { trace: map.trace(), determinant: map.determinant() }
             }
         };
-        (gamma > 0.0 && multipliers.trace.is_finite()).then(|| GrazingState {
+        (gamma > 0.0 && multipliers.trace.is_finite()).then(|| GrazingCurvePoint {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
             multipliers,
             admissible,

@@ -1,6 +1,6 @@
 //! Beyond the paper: the limit map at resonances, and solutions computed near them.
 
-use crate::resonances::Resonance;
+use crate::resonances::FoundResonance;
 use grazing_continuation::doubled::DoubledEquations;
 use grazing_continuation::mps::unknown;
 use grazing_continuation::resonance::LocatedResonance;
@@ -43,7 +43,7 @@ row! { AtLimit, |this| {
 
 impl AtLimit {
     /// The limit map at a resonance, with grazing orbits solved for near it.
-    pub fn of(resonance: &Resonance) -> Self {
+    pub fn of(resonance: &FoundResonance) -> Self {
         let point = *resonance.located.resonant_point();
         let limit = point.doubled_grazing_coefficient();
         let error = |size: f64| Some((doubled_grazing(&resonance.located, size)? / limit - 1.0).abs());

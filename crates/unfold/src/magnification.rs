@@ -12,7 +12,7 @@ use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, DiagramCurve, route};
 use crate::grazing::{GrazingCurve, interpolated};
-use crate::resonances::Resonance;
+use crate::resonances::FoundResonance;
 
 /// Short steps, for curves at thirty times the scale of the diagram.
 const MAGNIFIED: StepControl =
@@ -29,7 +29,7 @@ const SAMPLES: u32 = 100;
 /// The resonance's curves could not be followed.
 pub fn magnify(
     diagram: &Diagram,
-    resonance: &Resonance,
+    resonance: &FoundResonance,
     point: &ResonantGrazingPoint,
     window: Window,
 ) -> Result<Vec<MagnifiedPoint>, ResonanceError> {
@@ -147,7 +147,7 @@ pub fn approximation(point: &ResonantGrazingPoint, curve: BifurcationCurve, wind
 /// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the
 /// curve that bends sooner, or slightly beyond, but not more than half the way to the next
 /// resonance of the same p; its width holds everything that is drawn, with a margin.
-pub fn window_about(diagram: &Diagram, resonance: &Resonance, point: &ResonantGrazingPoint) -> Window {
+pub fn window_about(diagram: &Diagram, resonance: &FoundResonance, point: &ResonantGrazingPoint) -> Window {
     let whole = diagram.scope.window;
     let [_, origin] = point.orbit().oscillator().parameters();
     let mut reach = 0.25 * whole.widths()[1];

@@ -7,7 +7,7 @@ use grazing_continuation::mps::{EventTimes, LoopEquations, Multipliers, Unknowns
 use crate::tolerances::BETWEEN_BIFURCATIONS;
 
 /// A bifurcation, its location, and the event times there.
-pub(crate) type Located = (Condition, Unknowns, EventTimes);
+pub(crate) type MissedBifurcation = (Condition, Unknowns, EventTimes);
 
 /// The ways in which a stable, admissible solution can lose stability or admissibility.
 const LOSSES: [Condition; 4] =
@@ -24,7 +24,7 @@ fn margins(point: &CurvePoint) -> [f64; LOSSES.len()] {
 /// stable, admissible solutions at both ends. They are looked for where a margin, extrapolated
 /// linearly through the points on either side of the step, would vanish on it: a convex margin lies
 /// above that.
-pub(crate) fn stepped_over(equations: &LoopEquations, branch: &Curve) -> Vec<Located> {
+pub(crate) fn stepped_over(equations: &LoopEquations, branch: &Curve) -> Vec<MissedBifurcation> {
     let mut all = Vec::new();
     for four in branch.points.windows(4) {
         if ![1, 2].iter().all(|&end| four[end].solution.attracts()) {
@@ -65,7 +65,7 @@ fn pair(
     [along, condition]: [Condition; 2],
     four: &[CurvePoint],
     values: [f64; 4],
-) -> Option<[Located; 2]> {
+) -> Option<[MissedBifurcation; 2]> {
     let length = |k: usize| equations.gap(&four[k].solution.unknowns, &four[k + 1].solution.unknowns).norm();
     let lengths = [0, 1, 2].map(length);
     if least(values, lengths) >= 0.0 {
@@ -93,7 +93,7 @@ fn from(
     condition: Condition,
     end: &CurvePoint,
     step: f64,
-) -> Option<Located> {
+) -> Option<MissedBifurcation> {
     let highest = end.solution.highest_interior_maximum.map_or(0.0, |maximum| maximum.time);
     let mut times = end.times.clone().touching(highest);
     let start = end.solution.unknowns.clone();

@@ -50,14 +50,14 @@ pub struct LostPoint {
 
 /// The requested curves that were found.
 #[derive(Clone, Debug, Default)]
-pub struct Found {
+pub struct FoundCurves {
     /// The curves.
     pub curves: Vec<FoundCurve>,
     /// The points that were not located.
     pub lost: Vec<LostPoint>,
 }
 
-impl Found {
+impl FoundCurves {
     /// Adds what else was found.
     pub(crate) fn extend(&mut self, more: Self) {
         self.curves.extend(more.curves);
@@ -148,11 +148,11 @@ pub(crate) fn find(
     route: &Route<'_>,
     (number, request): (usize, &OwnCurve),
     progress: &dyn Progress,
-) -> Found {
+) -> FoundCurves {
     let (equations, property) = (&slicer.equations, request.property);
     let crossings: Vec<Vec<Crossing<'_>>> =
         parallel::map(sources, |source| crossed(equations, source, property));
-    let mut found = Found::default();
+    let mut found = FoundCurves::default();
     let loops = equations.loops();
     for Crossing { along, condition, near, length, times } in crossings.into_iter().flatten() {
         if progress.stopped() {
@@ -179,7 +179,7 @@ pub(crate) fn find(
         }
     }
     // Points that other crossings have reached are not missing.
-    let Found { curves, lost } = &mut found;
+    let FoundCurves { curves, lost } = &mut found;
     lost.retain(|lost| !curves.iter().any(|known| passes_near(&known.curve, lost.near, slicer)));
     found
 }

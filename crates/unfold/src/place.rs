@@ -16,7 +16,7 @@ use rand_pcg::Pcg64;
 
 use self::basins::basins;
 pub use self::from_state::simulated;
-use self::outcome::{Known, Outcome, each, long_orbit};
+use self::outcome::{KnownOutcomes, OrbitOutcome, each, long_orbit};
 pub use self::rows::at_place;
 use crate::Scope;
 use crate::long_time::{
@@ -25,7 +25,7 @@ use crate::long_time::{
 };
 use crate::progress::Progress;
 use crate::search;
-pub use crate::settled::Kind;
+pub use crate::settled::ImpactPattern;
 use crate::settled::{Recurring, Through, equations, kind, solution};
 use crate::slices::passing;
 use crate::tolerances::BETWEEN_ORBITS;
@@ -72,7 +72,7 @@ pub struct Attractor {
 #[derive(Clone, Debug)]
 pub struct Nearby {
     /// The kinds of solutions, with velocities and phases of their impacts.
-    pub solutions: Vec<(Kind, Vec<[f64; 2]>)>,
+    pub solutions: Vec<(ImpactPattern, Vec<[f64; 2]>)>,
     /// States on attractors, and the number of initial states that approach each.
     pub attractors: Vec<(u32, State)>,
 }
@@ -140,7 +140,7 @@ const MOTION: &str = "motion on the attractors";
 const SLOWEST: f64 = BETWEEN_ORBITS * search::USUAL_VELOCITY;
 
 /// The kind of motion without impacts.
-const FREE: Kind = (0, Vec::new());
+const FREE: ImpactPattern = (0, Vec::new());
 
 /// The most impacts of a solution whose branch is followed.
 const MOST_IMPACTS: usize = 8;
@@ -193,7 +193,7 @@ pub struct AttractorSummary {
 /// the whole horizon and until their exponent has converged: motion that has not settled in the
 /// short time counts as known irregular motion, if there is any.
 pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> Vec<AttractorSummary> {
-    let mut found: Vec<(Outcome, AttractorSummary)> = Vec::new();
+    let mut found: Vec<(OrbitOutcome, AttractorSummary)> = Vec::new();
     let shortly = Horizon { patience: Patience::Drifting, ..horizon };
     for &start in states {
         let mut orbit = LongOrbit::follow(oscillator, start, shortly);
@@ -201,7 +201,7 @@ pub fn seen(oscillator: &AnyOscillator, states: &[State], horizon: Horizon) -> V
             if let Some(horizon) = horizon.filter(|_| orbit.fate.kind == MotionKind::Unsettled) {
                 orbit = LongOrbit::follow(oscillator, start, horizon);
             }
-            let outcome = Outcome::at_end(oscillator, start, &orbit);
+            let outcome = OrbitOutcome::at_end(oscillator, start, &orbit);
             if let Some((_, known)) = found.iter_mut().find(|(known, _)| known.is_like(&outcome)) {
                 known.states += 1;
                 break;
@@ -326,9 +326,9 @@ impl Place {
         found: impl FnOnce(&[Recurring]) -> Vec<Recurring>,
     ) -> Option<Self> {
         let period = oscillator.forcing_period();
-        let follow = |&(states, from): &(u32, State)| (states, Outcome::of(oscillator, from, horizon));
+        let follow = |&(states, from): &(u32, State)| (states, OrbitOutcome::of(oscillator, from, horizon));
         let outcomes = each(RANDOM, starts, progress, follow)?;
-        let mut known = Known { different: Vec::new() };
+        let mut known = KnownOutcomes { different: Vec::new() };
         for (states, outcome) in outcomes {
             known.add(states, outcome);
         }
@@ -353,7 +353,7 @@ impl Place {
         let mut order: Vec<usize> = (0..known.different.len()).collect();
         order.sort_by_key(|&index| core::cmp::Reverse(known.different[index].0));
         let shown: Vec<_> = order.iter().map(|&index| &known.different[index]).collect();
-        let attractor = |(states, one): &&(u32, Outcome)| {
+        let attractor = |(states, one): &&(u32, OrbitOutcome)| {
             // Motion from a random state is computed as before.
             Attractor::of(oscillator, *states, if *states > 0 { one.start } else { one.late }, horizon)
         };
@@ -367,7 +367,7 @@ impl Place {
 /// The non-impacting solutions to which free motion, or rest, leads.
 fn non_impacting<'a>(
     oscillator: &AnyOscillator,
-    outcomes: impl Iterator<Item = &'a Outcome>,
+    outcomes: impl Iterator<Item = &'a OrbitOutcome>,
 ) -> Vec<Unknowns> {
     let starts = outcomes.filter_map(|one| one.at_phase_zero).map(|state| [state.position, state.velocity]);
     let rest = [[0.0, 0.0], [-1.0, 0.0], [-0.5, 0.5], [-0.5, -0.5]];
@@ -414,7 +414,7 @@ fn impact_of(point: &Unknowns, index: usize) -> Vector2<f64> {
 }
 
 /// Whether a solution is among these, whichever of its impacts is the first.
-fn is_known(found: &[Recurring], kind: &Kind, one: &Unknowns) -> bool {
+fn is_known(found: &[Recurring], kind: &ImpactPattern, one: &Unknowns) -> bool {
     let first = impact_of(one, 0);
     let (_, stops) = kind;
     let at_its_stop = |index: usize| stops.is_empty() || stops[index % stops.len()] == stops[0];
@@ -426,6 +426,6 @@ fn is_known(found: &[Recurring], kind: &Kind, one: &Unknowns) -> bool {
 }
 
 /// The solution near a point; for p = 0 the one whose position and velocity at phase zero are near.
-fn solved(oscillator: &AnyOscillator, kind: &Kind, near: &Unknowns) -> Option<Unknowns> {
+fn solved(oscillator: &AnyOscillator, kind: &ImpactPattern, near: &Unknowns) -> Option<Unknowns> {
     solution(&equations(oscillator, kind), near, oscillator.parameters())
 }

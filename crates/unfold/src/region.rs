@@ -4,7 +4,7 @@ use core::fmt;
 use std::borrow::Cow;
 
 use grazing_continuation::curve::Window;
-use grazing_results::plane::{RegionKind, Vertex};
+use grazing_results::plane::{RegionCorner, RegionKind};
 use grazing_results::span;
 
 use crate::faces;
@@ -102,11 +102,11 @@ impl Region {
     }
 
     /// The vertices, one ring after the other.
-    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
+    pub fn vertices(&self) -> impl Iterator<Item = RegionCorner> {
         let reason = self.doubt.as_ref().map(Doubt::to_string).unwrap_or_default();
         let rings = (0..).zip(&self.rings);
         let all = rings.flat_map(|(ring, vertices)| vertices.iter().map(move |at| (ring, *at)));
-        all.map(move |(ring, [primary, secondary])| Vertex {
+        all.map(move |(ring, [primary, secondary])| RegionCorner {
             secondary,
             primary,
             ring,

@@ -19,7 +19,7 @@ use crate::curves::{DiagramCurve, Net};
 use crate::entering_curves;
 use crate::faces::{self, Face, Point};
 use crate::grazing::GrazingCurve;
-use crate::own_curves::Found;
+use crate::own_curves::FoundCurves;
 use crate::parallel;
 use crate::progress::Progress;
 use crate::search;
@@ -66,7 +66,7 @@ pub(crate) fn of_mps(
     nets: &mut [Net],
     progress: &dyn Progress,
     finished: Decided<'_>,
-) -> Vec<(Option<Vec<Region>>, Found)> {
+) -> Vec<(Option<Vec<Region>>, FoundCurves)> {
     let window = scope.window;
     let levels = levels(window);
     progress.begin(STAGE, nets.len() as u64);
@@ -86,7 +86,7 @@ pub(crate) fn of_mps(
         }
         let own = survey.own_curves(requested, progress);
         progress.step(STAGE);
-        (regions, if progress.stopped() { Found::default() } else { own })
+        (regions, if progress.stopped() { FoundCurves::default() } else { own })
     });
     progress.end(STAGE);
     regions

@@ -10,14 +10,14 @@ use grazing_theorems::HypothesesViolated;
 use grazing_theorems::from_map::GrazingOrbit;
 
 use crate::Scope;
-use crate::grazing::{GrazingCurve, GrazingState, multipliers};
+use crate::grazing::{GrazingCurve, GrazingCurvePoint, multipliers};
 use crate::progress::Progress;
 use crate::tolerances::BETWEEN_RESONANCES;
 use crate::winding;
 
 /// A resonant grazing bifurcation of the non-impacting solution.
 #[derive(Clone, Debug)]
-pub struct Resonance {
+pub struct FoundResonance {
     /// Number of loops p.
     pub loops: u32,
     /// The integer n: half-turns (p = 1) or whole turns (p ≥ 2) of neighbouring motion in a forcing
@@ -51,7 +51,7 @@ pub fn on_curve(
     curve: &GrazingCurve,
     scope: &Scope,
     progress: &dyn Progress,
-) -> (Vec<Resonance>, Vec<Unlocated>) {
+) -> (Vec<FoundResonance>, Vec<Unlocated>) {
     let (mut found, mut lost) = (Vec::new(), Vec::new());
     progress.begin(STAGE, scope.loops.len() as u64);
     for &loops in &scope.loops {
@@ -60,7 +60,7 @@ pub fn on_curve(
                 continue;
             }
             // What is rounding has no sign, and so no zeros.
-            if pair.iter().any(GrazingState::is_forgotten) {
+            if pair.iter().any(GrazingCurvePoint::is_forgotten) {
                 continue;
             }
             let step = Step::new([&pair[0], &pair[1]], loops, scope);
@@ -81,8 +81,8 @@ pub fn on_curve(
 
 /// The resonances without duplicates, as found on two grazing curves that touch, or on both sides
 /// of a point of one.
-pub(crate) fn distinct(found: Vec<Resonance>, window: Window) -> Vec<Resonance> {
-    let mut all: Vec<Resonance> = Vec::new();
+pub(crate) fn distinct(found: Vec<FoundResonance>, window: Window) -> Vec<FoundResonance> {
+    let mut all: Vec<FoundResonance> = Vec::new();
     for new in found {
         if !all.iter().any(|old| old.is_same(&new, window)) {
             all.push(new);
@@ -91,7 +91,7 @@ pub(crate) fn distinct(found: Vec<Resonance>, window: Window) -> Vec<Resonance> 
     all
 }
 
-impl Resonance {
+impl FoundResonance {
     /// Whether the curves of solutions with so many loops that leave the resonance lie on the grazing curve, but
     /// for rounding: for two loops and more all that is stable lies at a distance of the order of the square
     /// of the multipliers.
@@ -116,10 +116,10 @@ impl Resonance {
 /// Least width of a window in this comparison, as a fraction of its parameters.
 const LEAST: f64 = 1e-2;
 
-fn numbered(located: LocatedResonance) -> Resonance {
+fn numbered(located: LocatedResonance) -> FoundResonance {
     let loops = located.loops();
     let n = if located.orbit().impacts().is_empty() { winding::index(located.orbit(), loops) } else { 0 };
-    Resonance { loops, n, theorem: located.checked(), located }
+    FoundResonance { loops, n, theorem: located.checked(), located }
 }
 
 /// Number of parts of a step in which bisection begins.
@@ -128,14 +128,14 @@ const PARTS: u32 = 8;
 /// The grazing curve between two neighbouring points, and a₁₂ or κ_p along it as a cubic with the
 /// right values and slopes at both ends, so that two zeros between the points are seen as well.
 struct Step<'a> {
-    ends: [&'a GrazingState; 2],
+    ends: [&'a GrazingCurvePoint; 2],
     values: [f64; 2],
     /// Derivatives with respect to the fraction of the way.
     slopes: [f64; 2],
 }
 
 impl<'a> Step<'a> {
-    fn new(ends: [&'a GrazingState; 2], loops: u32, scope: &Scope) -> Self {
+    fn new(ends: [&'a GrazingCurvePoint; 2], loops: u32, scope: &Scope) -> Self {
         // The step's length in the variables in which the curve was followed.
         let length = (scope.place(&ends[1].orbit) - scope.place(&ends[0].orbit)).norm();
         let at = ends.map(|state| {
@@ -188,7 +188,7 @@ impl<'a> Step<'a> {
         found
     }
 
-    fn interpolated(&self, way: f64, value: impl Fn(&GrazingState) -> f64) -> f64 {
+    fn interpolated(&self, way: f64, value: impl Fn(&GrazingCurvePoint) -> f64) -> f64 {
         value(self.ends[0]) * (1.0 - way) + value(self.ends[1]) * way
     }
 
@@ -216,12 +216,12 @@ mod tests {
 
     use super::*;
 
-    fn states() -> [GrazingState; 2] {
+    fn states() -> [GrazingCurvePoint; 2] {
         [0.8, 0.81].map(|frequency| {
             let near = crate::specimens::linear(0.02, [0.3, frequency]);
             let phase = libm::atan2(0.04 * frequency, 1.0 - frequency * frequency);
             let orbit = GrazingOrbit::find(&near, phase).expect("it grazes");
-            GrazingState {
+            GrazingCurvePoint {
                 orbit,
                 tangent: Vector3::y(),
                 multipliers: Multipliers { trace: 0.5, determinant: 0.9 },
@@ -246,7 +246,7 @@ mod tests {
         let [primary, secondary] = orbit.oscillator().parameters();
         let beside = orbit.oscillator().with_parameters([primary + 1e-6, secondary - 1e-6]);
         let again = LocatedResonance::find(&beside, one.loops, orbit.phase() + 1e-6).map(numbered);
-        let twice: Vec<Resonance> = found.iter().cloned().chain([again.expect("it is there")]).collect();
+        let twice: Vec<FoundResonance> = found.iter().cloned().chain([again.expect("it is there")]).collect();
         let about = |value: f64| [value - 1e-9, value + 1e-9];
         let narrow = Window { primary: about(primary), secondary: about(secondary) };
         for window in [window, narrow] {

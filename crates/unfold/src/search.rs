@@ -20,7 +20,7 @@ use grazing_model::smooth::Purpose;
 use grazing_model::{AnyOscillator, ImpactOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
 
-use self::field::{Field, Missed, SIZE};
+use self::field::{LatticeFunctions, Missed, SIZE};
 use crate::Scope;
 use crate::grazing::HighestPoint;
 use crate::parallel;
@@ -221,7 +221,7 @@ impl Lattice {
         sides
     }
 
-    /// The cells in which some functions may vanish, as [`Field::cells`] finds them.
+    /// The cells in which some functions may vanish, as [`LatticeFunctions::cells`] finds them.
     fn cells(
         &self,
         functions: usize,
@@ -230,7 +230,8 @@ impl Lattice {
     ) -> Vec<(usize, [Unknowns; 2])> {
         let [across, up] = self.sides(SIZE);
         let place = |[i, k]: [u32; 2]| &self.start + &across * f64::from(i) + &up * f64::from(k);
-        Field::new(place, CELLS[1] * SIZE, functions, values, is_idle).cells([self.cells, CELLS[1]])
+        LatticeFunctions::new(place, CELLS[1] * SIZE, functions, values, is_idle)
+            .cells([self.cells, CELLS[1]])
     }
 
     /// The MPSs that are faster than `slowest`, as far as the lattice separates them: zeros of (x,

@@ -8,7 +8,7 @@ use grazing_results::span;
 
 /// A piece of a branch on which stability and admissibility do not change.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Segment {
+pub(crate) struct BranchPiece {
     /// The primary parameter at its ends.
     pub(crate) primary: [f64; 2],
     /// Whether the MPSs are stable and admissible.
@@ -27,15 +27,15 @@ pub(crate) struct Border<'a> {
 }
 
 /// A point of a branch: one of the curve's points, or an event.
-pub(crate) struct Vertex<'a> {
+pub(crate) struct BranchVertex<'a> {
     pub(crate) solution: &'a PeriodicSolution,
     pub(crate) event: Option<&'a Event>,
 }
 
 /// The points of a branch with its events in their places.
-pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
-    fn happens(event: &Event) -> Vertex<'_> {
-        Vertex { solution: &event.solution, event: Some(event) }
+pub(crate) fn vertices(branch: &Curve) -> Vec<BranchVertex<'_>> {
+    fn happens(event: &Event) -> BranchVertex<'_> {
+        BranchVertex { solution: &event.solution, event: Some(event) }
     }
     let mut vertices = Vec::with_capacity(branch.points.len() + branch.events.len());
     let mut events = branch.events.iter().peekable();
@@ -43,7 +43,7 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
         while let Some(event) = events.next_if(|event| event.index <= index) {
             vertices.push(happens(event));
         }
-        vertices.push(Vertex { solution: &point.solution, event: None });
+        vertices.push(BranchVertex { solution: &point.solution, event: None });
     }
     vertices.extend(events.map(happens));
     vertices
@@ -51,15 +51,18 @@ pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
 
 /// The segments of a branch and the borders between them, where MPSs are stable and admissible on
 /// one of both sides.
-pub(crate) fn segments<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec<Segment>, Vec<Border<'a>>) {
+pub(crate) fn segments<'a>(
+    equations: &LoopEquations,
+    branch: &'a Curve,
+) -> (Vec<BranchPiece>, Vec<Border<'a>>) {
     let vertices = vertices(branch);
     // A multiplier is 1 there.
     let first = vertices.first().filter(|_| matches!(branch.beginning, Some(CurveEnd::Halved)));
     let first = first.map(|vertex| vertex.solution);
-    let is_border = |vertex: &Vertex<'_>| {
+    let is_border = |vertex: &BranchVertex<'_>| {
         vertex.event.is_some() || first.is_some_and(|first| core::ptr::eq(first, vertex.solution))
     };
-    let status = |pair: &[Vertex<'_>]| {
+    let status = |pair: &[BranchVertex<'_>]| {
         let [a, b] = [&pair[0], &pair[1]];
         match [is_border(a), is_border(b)] {
             [false, _] => a.solution.attracts(),
@@ -68,10 +71,10 @@ pub(crate) fn segments<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec
             _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| solution.attracts()),
         }
     };
-    let primary = |vertex: &Vertex<'_>| vertex.solution.parameters()[0];
-    let segments: Vec<Segment> = vertices
+    let primary = |vertex: &BranchVertex<'_>| vertex.solution.parameters()[0];
+    let segments: Vec<BranchPiece> = vertices
         .windows(2)
-        .map(|pair| Segment { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
+        .map(|pair| BranchPiece { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
         .collect();
     let mut borders: Vec<Border<'a>> = Vec::new();
     let mut end = 0;
@@ -81,7 +84,7 @@ pub(crate) fn segments<'a>(equations: &LoopEquations, branch: &'a Curve) -> (Vec
         if run[0].good {
             let all = &vertices[start..=end];
             // Grazing may bound as short a segment, and is kept.
-            let grazes = |vertex: &Vertex<'_>| {
+            let grazes = |vertex: &BranchVertex<'_>| {
                 vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
             };
             let extent = |k: usize| {

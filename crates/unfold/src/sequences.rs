@@ -24,13 +24,13 @@ use rand_pcg::Pcg64;
 use crate::Scope;
 use crate::curves::{CodimensionTwoPoint, DiagramCurve, Net, drawn};
 use crate::diagram::Diagram;
-use crate::generations::{Base, Later, LaterResonance, bases, later};
+use crate::generations::{BaseCurve, Later, LaterResonance, bases, later};
 use crate::long_time::{Horizon, LongOrbit, Patience, random_start};
 use crate::parallel;
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::Unlocated;
-use crate::settled::{self, Kind};
+use crate::settled::{self, ImpactPattern};
 use crate::survey::Survey;
 
 /// The solutions with K impacts in P forcing periods, at the same stops in the same order.
@@ -107,7 +107,7 @@ struct Leads {
 }
 
 /// The number of impacts and the kind, in the order in which solutions branch off each other.
-type Numbers = (usize, Kind);
+type Numbers = (usize, ImpactPattern);
 
 /// The solutions with several impacts up to a generation, the MPSs being the first: solutions of the next
 /// leave the resonances on curves at which those of the one before graze, with one impact more than so many
@@ -189,9 +189,9 @@ fn leaving(resonance: &LaterResonance) -> impl Iterator<Item = DiagramCurve> {
 
 impl Sequence {
     /// The curves at which these solutions graze.
-    fn bases(&self) -> impl Iterator<Item = Base> {
+    fn bases(&self) -> impl Iterator<Item = BaseCurve> {
         let curves = self.curves.iter().enumerate().filter(|(_, curve)| curve.kind == Bifurcation::Grazing);
-        curves.map(|(index, curve)| Base { impacts: self.impacts, index, curve: curve.clone() })
+        curves.map(|(index, curve)| BaseCurve { impacts: self.impacts, index, curve: curve.clone() })
     }
 }
 

@@ -15,19 +15,19 @@ use crate::slices::{Slice, Slicer};
 
 /// The number of forcing periods after which a solution recurs, and the stops that its impacts hit, in their
 /// order, over and over; none if all are at x = 0.
-pub type Kind = (u32, Vec<usize>);
+pub type ImpactPattern = (u32, Vec<usize>);
 
 /// A kind of solutions and, at one of its points or near it, one of them.
-pub(crate) type Recurring = (Kind, Unknowns);
+pub(crate) type Recurring = (ImpactPattern, Unknowns);
 
 /// The equations of solutions of a kind.
-pub(crate) fn equations(oscillator: &AnyOscillator, (periods, stops): &Kind) -> LoopEquations {
+pub(crate) fn equations(oscillator: &AnyOscillator, (periods, stops): &ImpactPattern) -> LoopEquations {
     let equations = LoopEquations::new(oscillator.clone(), *periods, Formulation::FixedPhase);
     if stops.is_empty() { equations } else { equations.at_stops(stops.iter().copied()) }
 }
 
 /// The kind of the solutions of equations.
-pub(crate) fn kind(equations: &LoopEquations) -> Kind {
+pub(crate) fn kind(equations: &LoopEquations) -> ImpactPattern {
     (equations.loops(), equations.stops().to_vec())
 }
 
@@ -86,7 +86,7 @@ impl Through<'_> {
         solutions: &[Recurring],
         known: &[(LoopEquations, Curve)],
     ) -> Vec<(LoopEquations, Curve)> {
-        let mut slices: BTreeMap<(usize, Kind), Slice> = BTreeMap::new();
+        let mut slices: BTreeMap<(usize, ImpactPattern), Slice> = BTreeMap::new();
         let empty = || Slice::new(self.secondary, Vec::new());
         for (kind, at) in solutions.iter().filter(|(_, at)| (2..=self.most).contains(&at.impacts())) {
             let slice = slices.entry((at.impacts(), kind.clone())).or_insert_with(empty);
@@ -94,7 +94,7 @@ impl Through<'_> {
         }
         for impacts in 1..=self.most / 2 {
             let mut doublings: Vec<Recurring> = Vec::new();
-            let none: Kind = (0, Vec::new());
+            let none: ImpactPattern = (0, Vec::new());
             let own = slices.range((impacts, none.clone())..(impacts + 1, none));
             let own =
                 own.flat_map(|((_, kind), slice)| slice.branches.iter().map(|curve| (kind.clone(), curve)));
@@ -118,7 +118,7 @@ impl Through<'_> {
                 slicer.beginning_beside(slice, &halved, at);
             }
         }
-        let distinct = |((_, kind), slice): ((usize, Kind), Slice)| {
+        let distinct = |((_, kind), slice): ((usize, ImpactPattern), Slice)| {
             let slicer = self.slicer(&kind);
             let branches = slicer.distinct(slice).into_iter();
             branches.map(|curve| (slicer.equations.clone(), curve)).collect::<Vec<_>>()
@@ -126,7 +126,7 @@ impl Through<'_> {
         slices.into_iter().flat_map(distinct).collect()
     }
 
-    fn slicer(&self, kind: &Kind) -> Slicer {
+    fn slicer(&self, kind: &ImpactPattern) -> Slicer {
         Slicer::new(equations(self.oscillator, kind), self.window, StepControl::DRAWING)
     }
 }

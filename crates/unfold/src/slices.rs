@@ -330,7 +330,7 @@ impl Slicer {
         let here = |at: f64| (at - primary).abs() <= apart;
         let is_here = |column: &&Curve| matches!(column.condition, Condition::Primary(at) if here(at));
         let known: Vec<&Curve> = known.iter().filter(is_here).collect();
-        for Crossing { place: near, mut times, .. } in
+        for ChordCrossing { place: near, mut times, .. } in
             sources.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary))
         {
             let is_known = |at: &Unknowns| self.pass(known.iter().copied().chain(&branches), at);
@@ -371,7 +371,7 @@ fn size(through: &Unknowns) -> f64 {
 }
 
 /// A point at which a chord of a curve has a given value of one of the unknowns.
-pub(crate) struct Crossing {
+pub(crate) struct ChordCrossing {
     /// The curve's condition.
     condition: Condition,
     /// The ends of the chord.
@@ -388,14 +388,19 @@ pub(crate) fn passing(curve: &Curve, unknown: usize, value: f64) -> impl Iterato
 }
 
 /// The points at which the chords of a curve have a given value of one of the unknowns.
-pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Iterator<Item = Crossing> {
+pub(crate) fn crossings(curve: &Curve, unknown: usize, value: f64) -> impl Iterator<Item = ChordCrossing> {
     curve.points.windows(2).filter_map(move |pair| {
         let chord = [0, 1].map(|k| pair[k].solution.unknowns.clone());
         let [a, b] = &chord;
         let [from, to] = [a, b].map(|point| point[unknown] - value);
         let crosses = from * to <= 0.0 && from != to;
         let place = a + (b - a) * (from / (from - to));
-        crosses.then(|| Crossing { condition: curve.condition, chord, place, times: pair[0].times.clone() })
+        crosses.then(|| ChordCrossing {
+            condition: curve.condition,
+            chord,
+            place,
+            times: pair[0].times.clone(),
+        })
     })
 }
 

@@ -11,7 +11,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::CurvePoint;
-use grazing_continuation::fit::{Estimate, FitError, Straightened};
+use grazing_continuation::fit::{CoefficientError, Estimate, Straightened};
 use grazing_continuation::locate::{Condition, locate, same_point};
 use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
 use grazing_continuation::resonance::{LeavingCurve, ResonantGrazingPoint};
@@ -21,7 +21,7 @@ use grazing_results::plane::{MagnifiedPanel, StraightenedCurves, StraightenedPoi
 use grazing_theorems::from_map::GrazingPlace;
 
 use crate::diagram::Diagram;
-use crate::resonances::Resonance;
+use crate::resonances::FoundResonance;
 
 /// Number of roundings in the difference of two places, each found by Newton's method.
 const ROUNDINGS: f64 = 16.0;
@@ -36,8 +36,8 @@ const ROUNDINGS: f64 = 16.0;
 /// curve that is not in the diagram is left out.
 pub fn straighten(
     diagram: &Diagram,
-    (resonance, point): (&Resonance, &ResonantGrazingPoint),
-    own: &Pair<Result<Straightened, FitError>>,
+    (resonance, point): (&FoundResonance, &ResonantGrazingPoint),
+    own: &Pair<Result<Straightened, CoefficientError>>,
     etas: &[f64],
 ) -> Vec<StraightenedPoint> {
     let leaving = Pair::CONDITIONS.map(|condition| point.leaving(condition));

@@ -310,11 +310,15 @@ impl<'a> Survey<'a> {
     }
 
     /// The requested curves, along which the solutions have a property.
-    pub(crate) fn own_curves(&self, requested: &[OwnCurve], progress: &dyn Progress) -> own_curves::Found {
+    pub(crate) fn own_curves(
+        &self,
+        requested: &[OwnCurve],
+        progress: &dyn Progress,
+    ) -> own_curves::FoundCurves {
         let branches = self.slices.iter().flat_map(|slice| &slice.branches).chain(&self.columns);
         let sources: Vec<&Curve> = branches.chain(self.net.curves.iter().map(|curve| &curve.curve)).collect();
         let route = Route { stop_at_events: false, ..self.route };
-        let mut all = own_curves::Found::default();
+        let mut all = own_curves::FoundCurves::default();
         let of_these = |(_, request): &(usize, &OwnCurve)| request.loops.contains(&self.loops());
         for request in requested.iter().enumerate().filter(of_these) {
             all.extend(own_curves::find(&self.slicer, &sources, &route, request, progress));

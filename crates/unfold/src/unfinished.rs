@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use grazing_model::ImpactOscillator;
 
-use crate::resonances::Resonance;
+use crate::resonances::FoundResonance;
 
 /// A part of the analysis that was not finished because the computation was cancelled.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,7 @@ impl Unfinished {
     }
 
     /// A stage at one resonance.
-    pub fn at(stage: &'static str, resonance: &Resonance) -> Self {
+    pub fn at(stage: &'static str, resonance: &FoundResonance) -> Self {
         let at = resonance.located.orbit().oscillator().parameters();
         Self { stage: stage.into(), resonance: Some([resonance.loops, resonance.n]), at: Some(at) }
     }

@@ -4,7 +4,7 @@ mod finished;
 mod resonance;
 mod tables;
 
-use grazing_continuation::fit::FitError;
+use grazing_continuation::fit::CoefficientError;
 use grazing_input::{Description, OwnCurve};
 use grazing_model::AnyOscillator;
 use grazing_model::smooth::{Purpose, Stop};
@@ -12,7 +12,7 @@ use grazing_results::Dimensioned;
 use grazing_results::branches::OneParameter;
 use grazing_results::grazing::{AlongGrazing, GrazingLoopRow};
 use grazing_results::plane::{
-    Magnifications, MagnifiedPanel, PlaneDiagram, Section, SequenceDiagram, StraightenedCurves,
+    DiagramLine, Magnifications, MagnifiedPanel, PlaneDiagram, SequenceDiagram, StraightenedCurves,
 };
 use grazing_results::resonance::AtResonances;
 
@@ -165,7 +165,7 @@ impl Unfolded {
                 // missing, including parts that may have been finished.
                 curves = measured();
                 for known in [&mut curves.findings.saddle_node, &mut curves.findings.period_doubling] {
-                    known.coefficient.fit = Err(FitError::NotFinished);
+                    known.coefficient.fit = Err(CoefficientError::NotFinished);
                 }
             }
             let found = AtResonance { curves: Some(curves), ..found };
@@ -222,7 +222,7 @@ impl Unfolded {
             let shown = !magnified.is_empty() && is_range(window.primary) && is_range(window.secondary);
             shown.then(|| panel_of(panel, (at, self.named_wall(at)), curves))
         });
-        let sections = self.diagrams.iter().map(|diagram| Section {
+        let sections = self.diagrams.iter().map(|diagram| DiagramLine {
             ends: diagram.frame.x.map(|across| diagram.exchanged([across, diagram.at]).into()),
             name: format!("diagram {}", diagram.diagram),
             thin: true,

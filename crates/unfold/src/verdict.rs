@@ -2,7 +2,7 @@
 //! including whether they can be compared.
 
 use grazing_continuation::bifurcation::Pair;
-use grazing_continuation::fit::{Estimate, FitError, Measurement, Straightened};
+use grazing_continuation::fit::{CoefficientError, Estimate, Measurement, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::global_iterate;
 use grazing_model::{AtRest, ImpactOscillator};
@@ -19,7 +19,7 @@ pub struct Coefficient {
     /// The value by the theorem, with the error due to the quantities in its formula.
     pub theorem: Estimate,
     /// The limit of μ/η² on the continued curve.
-    pub fit: Result<Measurement, FitError>,
+    pub fit: Result<Measurement, CoefficientError>,
 }
 
 impl Dimensioned for Coefficient {
@@ -28,8 +28,8 @@ impl Dimensioned for Coefficient {
         [value, error].into_iter().for_each(|number| visit(Dimension::of("{primary}/{secondary}^2"), number));
         match fit {
             Ok(measurement) => measurement.each_number(visit),
-            Err(FitError::NoPoint { velocity, .. }) => visit(Dimension::of("length/time"), velocity),
-            Err(FitError::GrazingOrbit(_) | FitError::NotFinished) => {}
+            Err(CoefficientError::NoPoint { velocity, .. }) => visit(Dimension::of("length/time"), velocity),
+            Err(CoefficientError::GrazingOrbit(_) | CoefficientError::NotFinished) => {}
         }
     }
 }
@@ -50,7 +50,7 @@ pub enum Verdict {
 pub enum Obstacle {
     /// The curve could not be followed close to the resonance.
     #[error("the curve could not be followed to the resonance: {0}")]
-    NoCurve(FitError),
+    NoCurve(CoefficientError),
     /// Where μ is clear of rounding it is not yet quadratic in η: the measured value has this
     /// relative error at best.
     #[error(
@@ -149,14 +149,14 @@ pub fn coefficients(point: &ResonantGrazingPoint) -> Pair<Coefficient> {
 }
 
 /// The SN and the PD curve near a resonance.
-pub fn near(point: &ResonantGrazingPoint) -> Pair<Result<Straightened, FitError>> {
+pub fn near(point: &ResonantGrazingPoint) -> Pair<Result<Straightened, CoefficientError>> {
     Pair::CONDITIONS.map(|condition| point.leaving(condition).straightened())
 }
 
 /// The coefficients c_SN and c_PD at a resonance near which the curves are known.
 pub fn coefficients_on(
     point: &ResonantGrazingPoint,
-    near: &Pair<Result<Straightened, FitError>>,
+    near: &Pair<Result<Straightened, CoefficientError>>,
 ) -> Pair<Coefficient> {
     let stability = point.resonant_point().stability_coefficients();
     let stability = Pair { saddle_node: stability.plus, period_doubling: stability.minus };

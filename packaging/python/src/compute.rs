@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use grazing_cli::failure::Failure;
-use grazing_cli::library::Report;
+use grazing_cli::library::StartProgress;
 use grazing_model::smooth::Stop;
 use grazing_unfold::progress::Progress;
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
@@ -66,7 +66,7 @@ impl Progress for Reporter {
 pub(crate) fn compute<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
-    work: impl FnOnce(Report<'_>) -> Result<T, Failure> + Send,
+    work: impl FnOnce(StartProgress<'_>) -> Result<T, Failure> + Send,
 ) -> PyResult<T> {
     let (events, mut heard) = mpsc::channel();
     let work = move || {

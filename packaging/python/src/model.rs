@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use grazing_cli::failure::Failure;
-use grazing_cli::library::{self, Report, Task};
+use grazing_cli::library::{self, LibraryTask, StartProgress};
 use grazing_cli::variation::Variation;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_explore::{Model as Described, View, Wanted};
@@ -53,10 +53,10 @@ impl Model {
         &self,
         py: Python<'_>,
         progress: Hears<'_, '_>,
-        of: impl FnOnce(&Task<'_>) -> Result<library::Results, Failure> + Send,
+        of: impl FnOnce(&LibraryTask<'_>) -> Result<library::Results, Failure> + Send,
     ) -> PyResult<Results> {
         let Self { model, file } = self;
-        let work = |report: Report<'_>| of(&Task { model, file, report });
+        let work = |report: StartProgress<'_>| of(&LibraryTask { model, file, report });
         Results::new(py, compute(py, progress, work)?)
     }
 }
@@ -71,7 +71,8 @@ impl Model {
     /// The listing that precedes all results, and names and ranges of the two parameters.
     fn checked(&self, py: Python<'_>) -> PyResult<(String, [(String, Both); 2])> {
         let Self { model, file } = self;
-        let (description, listing) = compute(py, None, |report| Task { model, file, report }.checked())?;
+        let (description, listing) =
+            compute(py, None, |report| LibraryTask { model, file, report }.checked())?;
         let axis = |axis: &grazing_input::Axis| (axis.name().to_owned(), axis.range());
         Ok((listing, [description.primary(), description.secondary()].map(axis)))
     }

@@ -35,6 +35,8 @@ pub(crate) struct Sources {
     pub(crate) prints: BTreeSet<(String, String)>,
     /// What takes a text apart that was written just before, by file.
     pub(crate) taken_apart: BTreeSet<(String, String)>,
+    /// The names of public types and traits, also of those that a macro makes of a list of names.
+    pub(crate) types: BTreeSet<String>,
 }
 
 /// What a path leads to.
@@ -45,6 +47,7 @@ enum Target {
 }
 
 const ITEMS: [&str; 9] = ["struct", "enum", "union", "fn", "const", "static", "type", "trait", "macro_rules"];
+const TYPES: [&str; 5] = ["struct", "enum", "union", "type", "trait"];
 const PRINTING: [&str; 5] = ["print", "println", "eprint", "eprintln", "dbg"];
 /// What looks for something in a text.
 const TAKING_APART: [&str; 18] = [
@@ -109,6 +112,7 @@ impl Sources {
                     let word = word.to_string();
                     let next = tokens.get(k).map(ToString::to_string).unwrap_or_default();
                     self.modules.get_mut(&at).expect("it is there").words.insert(word.clone());
+                    self.types.extend(made_by_macro(&tokens[k..]));
                     match (&*word, tokens.get(k)) {
                         ("mod", Some(TokenTree::Ident(name))) => match tokens.get(k + 1) {
                             Some(TokenTree::Group(body)) => {
@@ -120,6 +124,9 @@ impl Sources {
                         ("use", _) if next != "<" => k = self.import(&tokens, k, &at, &[]),
                         // Visibility, which is no use.
                         ("pub", Some(TokenTree::Group(group))) if limits_visibility(group) => k += 1,
+                        ("pub", _) if TYPES.contains(&&*next) => {
+                            self.types.extend(tokens.get(k + 1).and_then(name_of));
+                        }
                         _ => k = self.word(word, &tokens, k, &at, file),
                     }
                 }
@@ -342,6 +349,28 @@ pub(crate) fn shortest_circle(used: &[BTreeSet<usize>], file: usize) -> Option<V
         }
     }
     None
+}
+
+/// The name that a token is.
+fn name_of(token: &TokenTree) -> Option<String> {
+    matches!(token, TokenTree::Ident(_)).then(|| token.to_string())
+}
+
+/// The types that a macro makes, if its arguments in braces begin these tokens after an exclamation mark: as `A` and `B` of
+/// `rows! { A { … } B: Kind { … } }`.
+fn made_by_macro(tokens: &[TokenTree]) -> Vec<String> {
+    let [TokenTree::Punct(sign), TokenTree::Group(group), ..] = tokens else { return Vec::new() };
+    if sign.as_char() != '!' || group.delimiter() != Delimiter::Brace {
+        return Vec::new();
+    }
+    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+    let is_body = |token: Option<&TokenTree>| matches!(token, Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace);
+    let is_made = |k: &usize| {
+        let begins = k.checked_sub(1).is_none_or(|before| matches!(tokens[before], TokenTree::Group(_)));
+        let kind = if is_sign(tokens.get(k + 1), ':') { 2 } else { 0 };
+        begins && is_body(tokens.get(k + 1 + kind))
+    };
+    (0..tokens.len()).filter(is_made).filter_map(|k| name_of(&tokens[k])).collect()
 }
 
 /// Whether a token is this sign.

@@ -152,6 +152,47 @@ fn what_one_place_knows_no_other_does() {
     assert!(manifest.contains("\n[dev-dependencies]") && !manifest.contains("\n[dependencies"), "{manifest}");
 }
 
+/// Names that types of several crates have, each with the reason.
+const SHARED_NAMES: [(&str, &str); 1] = [(
+    "LinearOscillator",
+    "the paper's oscillator, in `model` with its forcing and in `theorems` for any: the ledger of claims names both",
+)];
+
+#[test]
+fn no_two_crates_export_types_of_one_name() {
+    // What is public can be seen from outside: the compiler says where it cannot (`unreachable_pub`).
+    let mut crates: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for (name, sources) in &*CRATES {
+        for exported in sources.iter().flat_map(|sources| &sources.types) {
+            crates.entry(exported).or_default().insert(name);
+        }
+    }
+    assert!(crates.len() > 500, "{}", crates.len());
+    crates.retain(|_, crates| crates.len() > 1);
+    for (name, reason) in SHARED_NAMES {
+        assert!(crates.remove(name).is_some(), "an exception that is none: {name}, {reason}");
+    }
+    assert!(crates.is_empty(), "one word for several things: {crates:#?}");
+}
+
+#[test]
+fn types_that_are_exported_are_seen() {
+    for (text, names) in [
+        ("pub struct A; pub(crate) struct B; struct C;", "A"),
+        ("mod inner { pub enum A {} pub trait B {} pub type C = A; }", "A B C"),
+        ("keys! { /// A table.\n pub struct A { b: u32 = count(), \"…\"; } }", "A"),
+        (
+            "tables! { /// All.\n A: Dimensioned { rows: R = \"r\", \"a row\", } #[derive(Clone)] B { } }",
+            "A B",
+        ),
+        ("fn f() { vec![A { b }]; let c = A { b }; } row! { A, |own| {} [B = own.b,] }", ""),
+        ("impl T for A { type B = C; } #[cfg(test)] mod tests { pub struct D; } // pub struct E;", ""),
+    ] {
+        let found = planted(&[("lib.rs", text)]).types;
+        assert_eq!(found.iter().map(String::as_str).collect::<Vec<_>>().join(" "), names, "{text}");
+    }
+}
+
 /// The sources of a crate of these files, in `src/`, the first of which is its root.
 fn planted(files: &[(&str, &str)]) -> Sources {
     let text = |wanted: &str| {

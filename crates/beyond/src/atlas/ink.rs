@@ -10,7 +10,7 @@ use grazing_drawing::plot::axes::Panel;
 use grazing_reproduction::prelude::*;
 use grazing_results::Frame;
 
-use super::{Atlas, Node};
+use super::{Atlas, AtlasNode};
 
 /// The width in the paper and the height, in millimetres; room around panels, in points.
 const WIDTH_MM: f64 = 156.0;
@@ -21,7 +21,7 @@ const ABOVE: f64 = 16.0;
 const BELOW: f64 = 31.0;
 const RIGHT: f64 = 8.0;
 /// The quantity that is shown along a line of the lattice.
-type Ratio = fn(&Node) -> f64;
+type Ratio = fn(&AtlasNode) -> f64;
 /// The shade that each boundary adds to the area beyond it, and the pens of boundaries and of the ε of
 /// Figure 7.
 const SHADE: Paint = Paint { colour: [45, 70, 105], opacity: 0.17 };
@@ -142,11 +142,11 @@ impl Atlas {
 
     fn draw_ratios(&self, panel: &mut Panel<'_>, loops: u32) -> Result<(), DrawingError> {
         let mut labels = Labels::new(panel.canvas, panel.bounds);
-        let own: Vec<&Node> =
+        let own: Vec<&AtlasNode> =
             self.lattice.iter().filter(|node| node.epsilon == self.epsilon && node.loops == loops).collect();
         let curves: [(Pen, &str, Ratio); 4] = [
             (Pen::solid(BLACK, 0.8), "PD", |_| 1.0),
-            (branch_pen(loops, 1.1), "2GZ", Node::grazing),
+            (branch_pen(loops, 1.1), "2GZ", AtlasNode::grazing),
             (Pen::dashed(BLACK, 0.8, &[2.6, 1.3]), "second PD", |node| {
                 node.in_units(node.map.doubled_doubling().unwrap_or(f64::NAN))
             }),

@@ -11,7 +11,7 @@ const ROUNDING: f64 = 2e-9;
 /// The proved rows, for lookup by frequency.
 struct Lookup<'a> {
     statement: &'a Statement,
-    rows: &'a [Row],
+    rows: &'a [CertificateRow],
 }
 
 impl Lookup<'_> {
@@ -27,7 +27,7 @@ impl Lookup<'_> {
         let (begins, lower, upper) = ends(self.statement, row, nu)?;
         let [begins, lower] = [begins, lower].map(Ball::to_f64);
         let upper = upper.map_or(f64::INFINITY, Ball::to_f64);
-        let in_box = matches!(row.verdict, Verdict::Point("SN-GZ" | "PD-GZ")) || upper.is_infinite();
+        let in_box = matches!(row.verdict, IntervalVerdict::Point("SN-GZ" | "PD-GZ")) || upper.is_infinite();
         Some([begins, lower, upper, if in_box { 0.0 } else { upper - lower }])
     }
 
@@ -48,7 +48,7 @@ impl Lookup<'_> {
 pub(super) fn items(
     study: &Study,
     statement: &Statement,
-    rows: &[Row],
+    rows: &[CertificateRow],
 ) -> Result<Vec<ProofItem>, StudyError> {
     let diagram = study.diagram()?;
     let (curves, points) = (plane::curves(diagram), plane::points(diagram));
@@ -128,10 +128,14 @@ fn of_curve(look: &Lookup<'_>, curve: &[PlanePoint]) -> ProofItem {
 }
 
 /// The range of frequencies in which a point is proved to lie, a range of amplitudes, and the statement.
-fn of_point(statement: &Statement, rows: &[Row], point: &SpecialPoint) -> (f64, f64, Ball, String) {
+fn of_point(
+    statement: &Statement,
+    rows: &[CertificateRow],
+    point: &SpecialPoint,
+) -> (f64, f64, Ball, String) {
     let nothing = (f64::NAN, f64::NAN, Ball::ANY, "nothing".to_owned());
     let window = statement.frequency.map(Decimal::ball);
-    let resonances = Resonance::in_window(&statement.oscillator, &[point.loops], window);
+    let resonances = EnclosedResonance::in_window(&statement.oscillator, &[point.loops], window);
     if let Some(found) =
         resonances.iter().find(|found| point.kind.name() == "resonance" && found.n == point.n)
     {
@@ -177,7 +181,7 @@ fn of_region(
     let open = look.rows.iter().any(|row| {
         let [low, high] = summary::frequencies(look.statement, slice::from_ref(row)).map(Ball::to_f64);
         let beside = high <= from || to <= low;
-        matches!(row.verdict, Verdict::Undecided(_) | Verdict::Thin)
+        matches!(row.verdict, IntervalVerdict::Undecided(_) | IntervalVerdict::Thin)
             && row.interval.p == i64::from(loops)
             && !beside
     });

@@ -23,7 +23,7 @@ fn oscillator([amplitude, frequency]: [f64; 2]) -> LinearOscillator {
 }
 
 /// The stable, admissible p-loop MPS at a place, in closed form.
-fn stable([amplitude, frequency]: [f64; 2], loops: u32) -> Option<closed_form::Orbit> {
+fn stable([amplitude, frequency]: [f64; 2], loops: u32) -> Option<closed_form::ClosedFormOrbit> {
     let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
     let all = closed_form::orbits(zeta, epsilon, amplitude, frequency, loops);
     all.into_iter().find(|orbit| orbit.stable() && orbit.admissible())

@@ -6,7 +6,7 @@ use crate::*;
 /// with the frequency as μ, three with a nonlinear force, two with real eigenvalues.
 ///
 /// α > 0 for all, a₁₂ and β have either sign, and no p ≤ 4 is near its resonance: |S_p| > 0.1 r^(p−1).
-pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
+pub(crate) fn specimens() -> Result<Vec<Grazing>, CheckError> {
     let all = [
         (Law::linear(0.1, 0.8), 0.83),
         (Law::linear(0.03, 0.9), 0.87),
@@ -25,7 +25,7 @@ pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
 }
 
 /// The specimens, each with all of these numbers of loops.
-pub(crate) fn specimens_with(loops: RangeInclusive<u32>) -> Result<Vec<(Grazing, u32)>, Failure> {
+pub(crate) fn specimens_with(loops: RangeInclusive<u32>) -> Result<Vec<(Grazing, u32)>, CheckError> {
     let with = |grazing: Grazing| loops.clone().map(move |p| (grazing.clone(), p));
     Ok(specimens()?.into_iter().flat_map(with).collect())
 }
@@ -34,15 +34,15 @@ pub(crate) fn specimens_with(loops: RangeInclusive<u32>) -> Result<Vec<(Grazing,
 pub(crate) fn at_specimens<T: Default>(
     seed: u64,
     samples: usize,
-    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), Failure>,
-) -> Result<T, Failure> {
+    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), CheckError>,
+) -> Result<T, CheckError> {
     drawn_over(seed, specimens()?, |sampler, grazing, tally| {
         (0..samples).try_for_each(|_| sample(sampler, &grazing, tally))
     })
 }
 
 /// Specimens with Ψ so large that α < 0.
-pub(crate) fn delayed() -> Result<Vec<Grazing>, Failure> {
+pub(crate) fn delayed() -> Result<Vec<Grazing>, CheckError> {
     let delay = Exponential { size: 6.0, ..DELAY };
     let all = [(Law::varying(0.05), 0.8), (Law::varying(0.12), 1.4), (Law::nonlinear(0.05), 0.95)];
     all.into_iter().map(|(law, frequency)| Law { delay, ..law }.grazing(frequency)).collect()

@@ -39,7 +39,7 @@ pub(crate) struct Symbols {
 
 impl ResonantSpecimen {
     /// The resonance into which the resonance (p, n) of the linear oscillator is continued with this law.
-    pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
+    pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, CheckError> {
         Ok(Self { resonance: law.resonance(loops, index)?.checked()? })
     }
 
@@ -51,7 +51,7 @@ impl ResonantSpecimen {
         self.resonance.resonant_point()
     }
 
-    pub(crate) fn symbols(&self) -> Result<Symbols, Failure> {
+    pub(crate) fn symbols(&self) -> Result<Symbols, CheckError> {
         let point = self.point();
         let GrazingPoint { map, forcing_frequency: omega, gamma, phi, .. } = point.grazing;
         let orbit = self.resonance.orbit();
@@ -88,7 +88,7 @@ impl ResonantSpecimen {
         &self,
         step: f64,
         number: fn(u32, &LinearisedMap) -> f64,
-    ) -> Result<f64, Failure> {
+    ) -> Result<f64, CheckError> {
         let rate = slope(step, |eta| Some(number(self.loops(), &self.grazing(eta)?.grazing_point().map)));
         Ok(rate.ok_or("no grazing orbit beside a resonance")?)
     }
@@ -113,7 +113,7 @@ impl ResonantSpecimen {
     }
 
     /// The point of a bifurcation curve at η, from its leading terms.
-    pub(crate) fn on_curve(&self, curve: &Bifurcation, eta: f64) -> Option<Near> {
+    pub(crate) fn on_curve(&self, curve: &TheoremCurve, eta: f64) -> Option<Near> {
         let leading = &curve.leading;
         let near = self.near([
             leading.impact_velocity_slope * eta,
@@ -140,16 +140,16 @@ impl ResonantSpecimen {
     }
 
     /// The saddle-node and the period-doubling curve.
-    pub(crate) fn curves(&self) -> [Bifurcation; 2] {
+    pub(crate) fn curves(&self) -> [TheoremCurve; 2] {
         let theorem = self.resonance.theorem();
         let stability = self.point().stability_coefficients();
         [
-            Bifurcation {
+            TheoremCurve {
                 condition: Condition::SADDLE_NODE,
                 leading: theorem.saddle_node(),
                 stability: stability.plus,
             },
-            Bifurcation {
+            TheoremCurve {
                 condition: Condition::PERIOD_DOUBLING,
                 leading: theorem.period_doubling(),
                 stability: stability.minus,
@@ -159,7 +159,7 @@ impl ResonantSpecimen {
 }
 
 /// A bifurcation curve of the theorem.
-pub(crate) struct Bifurcation {
+pub(crate) struct TheoremCurve {
     pub(crate) condition: Condition,
     pub(crate) leading: BifurcationCurve,
     /// The coefficient s_p^+ or s_p^-.
@@ -201,7 +201,7 @@ pub(crate) const ANY: Loops = 1..=5;
 static PLACES: LazyLock<Result<Vec<ResonantSpecimen>, String>> =
     LazyLock::new(|| places().map_err(|failure| failure.to_string()));
 
-fn places() -> Result<Vec<ResonantSpecimen>, Failure> {
+fn places() -> Result<Vec<ResonantSpecimen>, CheckError> {
     let mut sampler = Sampler::new(5);
     let mut found = Vec::new();
     let indices = ANY.flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
@@ -221,14 +221,14 @@ fn places() -> Result<Vec<ResonantSpecimen>, Failure> {
 /// The tally of measurements at all resonances with these numbers of loops.
 pub(crate) fn everywhere<T: Default>(
     which: Loops,
-    measure: impl FnMut(&ResonantSpecimen, &mut T) -> Result<(), Failure>,
-) -> Result<T, Failure> {
+    measure: impl FnMut(&ResonantSpecimen, &mut T) -> Result<(), CheckError>,
+) -> Result<T, CheckError> {
     let places = PLACES.as_ref().map_err(String::as_str)?;
     over(places.iter().filter(|place| which.contains(&place.loops())), measure)
 }
 
 /// The observed orders of remainders.
-pub(crate) type Orders = Result<Vec<Observed>, Failure>;
+pub(crate) type Orders = Result<Vec<Observed>, CheckError>;
 
 /// The orders that a function finds at all resonances with these numbers of loops.
 pub(crate) fn all_orders(which: Loops, measure: impl Fn(&ResonantSpecimen) -> Orders) -> Orders {

@@ -42,7 +42,7 @@ pub const SLOPE_TOLERANCE: f64 = 1e-5;
 
 impl GenericRow {
     /// Computes a case.
-    pub fn of(case: Case) -> Result<Self, Failure> {
+    pub fn of(case: Case) -> Result<Self, CheckError> {
         let Case { zeta, epsilon, loops, omega, .. } = case;
         let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
         let start = closed.model();
@@ -121,7 +121,7 @@ pub(crate) fn small_velocity(point: &GrazingPoint, loops: u32) -> f64 {
 }
 
 /// The side on which y > 0 and all interior loops have x < 0, to first order in μ.
-fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, Failure> {
+fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, CheckError> {
     let emerging = point.emerging_orbit(loops)?;
     let positive = |sign: f64| {
         sign * emerging.impact_velocity_slope > 0.0

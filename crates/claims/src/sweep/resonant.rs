@@ -64,7 +64,7 @@ const ROUNDING: f64 = 1e-11;
 
 impl ResonantRow {
     /// Computes a case.
-    pub fn of(case: Case) -> Result<Self, Failure> {
+    pub fn of(case: Case) -> Result<Self, CheckError> {
         let Case { zeta, epsilon, loops, n, negative, omega } = case;
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
         let state = theory.grazing(omega)?;
@@ -77,7 +77,7 @@ impl ResonantRow {
             let located = ResonantGrazingPoint::find(&start, loops, state.phase())?;
             let length = 1e-3 * omega.min(1.0);
             let unfolded = located.unfold(&first_points(length, 1e-4 * length, 0.1))?;
-            Ok::<_, Failure>((located, [unfolded.saddle_node, unfolded.period_doubling]))
+            Ok::<_, CheckError>((located, [unfolded.saddle_node, unfolded.period_doubling]))
         };
         let unfolded = theorem.as_ref().map(unfold).transpose()?;
         let stability = point.stability_coefficients();
@@ -173,7 +173,7 @@ impl Scene<'_> {
         theorem: Option<BifurcationCurve>,
         closed: Option<f64>,
         continued: Option<(&ResonantGrazingPoint<LinearOscillator>, &Curve)>,
-    ) -> Result<CurveRow, Failure> {
+    ) -> Result<CurveRow, CheckError> {
         let condition = Condition::Multiplier(self.multiplier);
         let fit = continued.map(|(located, _)| quadratic_coefficient(located, condition)).transpose()?;
         let eta = self.small_eta();

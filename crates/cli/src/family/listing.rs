@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use grazing_input::Description;
-use grazing_results::family::{Family, Member, Resonance};
+use grazing_results::family::{Family, FamilyResonance, Member};
 use grazing_results::{Names, brief, with_unit};
-use grazing_unfold::family::{Plan, Varied};
+use grazing_unfold::family::{FamilyPlan, Varied};
 
 use crate::layout::Layout;
-use crate::variation::Part;
+use crate::variation::PartNumber;
 
 /// Significant digits of numbers.
 const DIGITS: usize = 6;
@@ -22,8 +22,8 @@ pub(super) fn plan(
     layout: Layout,
     description: &Description,
     file: &Path,
-    plan: &Plan,
-    part: Option<Part>,
+    plan: &FamilyPlan,
+    part: Option<PartNumber>,
     members: usize,
 ) -> String {
     let varied = plan.varied.iter().map(|Varied { name, values }| {
@@ -31,7 +31,7 @@ pub(super) fn plan(
         format!("{name} takes {} values from {first} to {last}", values.len())
     });
     let varied: Vec<String> = varied.collect();
-    let part = part.map_or(String::new(), |Part { part, parts }| {
+    let part = part.map_or(String::new(), |PartNumber { part, parts }| {
         format!(", {members} of them in part {part} of {parts}")
     });
     let varied = varied.join(", ");
@@ -41,7 +41,7 @@ pub(super) fn plan(
 }
 
 /// What was found.
-pub(super) fn results(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String {
+pub(super) fn results(layout: Layout, family: &Family, names: &Names, plan: &FamilyPlan) -> String {
     let mut text = curves(layout, family, names, plan);
     let count = plan.varied.len();
     let values = |varied: [f64; 3]| {
@@ -78,8 +78,8 @@ fn some(layout: Layout, heading: &str, mut entries: Vec<(String, String)>, file:
 }
 
 /// A line for each curve of resonances, by p, with the constant that varies first at its ends.
-fn curves(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String {
-    let mut curves: Vec<(u32, Vec<&Resonance>)> = Vec::new();
+fn curves(layout: Layout, family: &Family, names: &Names, plan: &FamilyPlan) -> String {
+    let mut curves: Vec<(u32, Vec<&FamilyResonance>)> = Vec::new();
     for row in &family.resonances {
         match curves.iter_mut().find(|(curve, _)| *curve == row.curve) {
             Some((_, rows)) => rows.push(row),
@@ -93,7 +93,7 @@ fn curves(layout: Layout, family: &Family, names: &Names, plan: &Plan) -> String
     let count = curves.len();
     curves.truncate(CURVES);
     let slot = 3 - plan.varied.len();
-    let range = |rows: &[&Resonance], value: &dyn Fn(&Resonance) -> f64| {
+    let range = |rows: &[&FamilyResonance], value: &dyn Fn(&FamilyResonance) -> f64| {
         let known = || rows.iter().map(|row| value(row)).filter(|value| value.is_finite());
         match (known().next(), known().next_back()) {
             (Some(first), Some(last)) => format!("{} .. {}", brief(first, DIGITS), brief(last, DIGITS)),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_input::{Description, Setting, Text};
 use grazing_model::smooth::Stop;
-use grazing_unfold::family::{Plan, Record};
+use grazing_unfold::family::{FamilyPlan, Record};
 use serde::{Deserialize, Serialize};
 
 use super::plan;
@@ -18,7 +18,7 @@ use crate::{folder, oscillator};
 const RESULTS: &str = "families";
 /// The origin of an oscillator: everything that is needed to read it again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Origin {
+pub(crate) struct FamilyOrigin {
     /// The file, as it was named.
     pub(super) file: String,
     text: String,
@@ -29,13 +29,13 @@ pub(crate) struct Origin {
     loops: Option<Vec<u32>>,
 }
 
-impl Origin {
+impl FamilyOrigin {
     /// An oscillator from a text, with settings over it.
     pub(crate) fn new(file: String, text: String, set: Vec<String>, loops: Option<Vec<u32>>) -> Self {
         Self { file, text, set, loops }
     }
 
-    pub(super) fn of_file(file: &Path, arguments: &arguments::Unfold) -> Result<Self, Failure> {
+    pub(super) fn of_file(file: &Path, arguments: &arguments::UnfoldArguments) -> Result<Self, Failure> {
         let text = oscillator::read_text(file)?;
         let set = oscillator::settings(&arguments.changes.set).iter().map(ToString::to_string).collect();
         Ok(Self::new(file.display().to_string(), text, set, arguments.changes.loops.clone()))
@@ -64,7 +64,7 @@ impl Origin {
 #[serde(deny_unknown_fields)]
 pub(super) struct FamilyWork {
     pub(super) vary: Vec<Variation>,
-    pub(super) origin: Origin,
+    pub(super) origin: FamilyOrigin,
 }
 
 impl Divided for FamilyWork {
@@ -72,7 +72,7 @@ impl Divided for FamilyWork {
     const ITEMS: &'static str = "members";
     const SAME: &'static str = "oscillator, settings, constants";
     const COMMAND: &'static str = "unfold";
-    type Task = (Description, Plan);
+    type Task = (Description, FamilyPlan);
     type Record = Record;
 
     fn task(&self) -> Result<Self::Task, Failure> {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::slice;
 
-use super::manifest::{FileList, MANIFEST, Origin, UNFINISHED, list, place_of_run};
+use super::manifest::{FileList, MANIFEST, ManifestOrigin, UNFINISHED, list, place_of_run};
 use super::temporaries::TemporaryFolder;
 use super::{Change, Differences, OutputFile, compare, remove, write, written};
 use crate::failure::Failure;
@@ -116,7 +116,7 @@ impl Batch {
         let is_kept = |file: &&OutputFile| write(&place, slice::from_ref(*file)).is_ok();
         let kept: Vec<&OutputFile> = self.files.iter().filter(is_kept).collect();
         let count = kept.len();
-        Err(match write(&place, &[FileList::of(kept, Origin::Incomplete).file()]) {
+        Err(match write(&place, &[FileList::of(kept, ManifestOrigin::Incomplete).file()]) {
             Ok(_) if count > 0 => {
                 failure.but(&format!("{count} of {} files are in {}", self.files.len(), place.display()))
             }
@@ -147,15 +147,18 @@ impl Batch {
 
     /// The list of these files and of those that were there before, which says whether all belong together; none if it stays.
     fn joined(&self, before: Option<FileList>, from: &str, changes: &PathChanges) -> Option<FileList> {
-        let origin = if self.incomplete { Origin::Incomplete } else { Origin::Part(from.to_owned()) };
+        let origin =
+            if self.incomplete { ManifestOrigin::Incomplete } else { ManifestOrigin::Part(from.to_owned()) };
         let mut list = FileList::of(&self.files, origin);
         let Some(mut before) = before else { return Some(list) };
-        if before.origin == Origin::Run && changes.iter().all(|(_, change)| *change == Change::Unchanged) {
+        if before.origin == ManifestOrigin::Run
+            && changes.iter().all(|(_, change)| *change == Change::Unchanged)
+        {
             return None;
         }
         before.files.retain(|(_, path)| list.files.iter().all(|(_, written)| written != path));
         if !before.files.is_empty() && before.origin != list.origin {
-            list.origin = Origin::Several;
+            list.origin = ManifestOrigin::Several;
         }
         list.files.append(&mut before.files);
         list.files.sort_by(|(_, one), (_, other)| one.cmp(other));

@@ -16,7 +16,7 @@ pub(super) const UNFINISHED: &str = "unfinished";
 
 /// What the files of a list come from.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Origin {
+pub(super) enum ManifestOrigin {
     /// One run.
     Run,
     /// One run, which is incomplete.
@@ -33,7 +33,7 @@ const INCOMPLETE: &str = "# The files of one run, which is incomplete.";
 const PART: &str = "# The files of some outputs, computed from ";
 const SEVERAL: &str = "# The files of several runs.";
 
-impl Origin {
+impl ManifestOrigin {
     fn head(&self) -> String {
         match self {
             Self::Run => RUN.to_owned(),
@@ -52,13 +52,13 @@ impl Origin {
 
 /// The files of one run.
 pub(super) struct FileList {
-    pub(super) origin: Origin,
+    pub(super) origin: ManifestOrigin,
     /// The digest and the path of each file.
     pub(super) files: Vec<(String, String)>,
 }
 
 impl FileList {
-    pub(super) fn of<'f>(files: impl IntoIterator<Item = &'f OutputFile>, origin: Origin) -> Self {
+    pub(super) fn of<'f>(files: impl IntoIterator<Item = &'f OutputFile>, origin: ManifestOrigin) -> Self {
         let line = |file: &OutputFile| {
             let FileDigest { path, sha256, .. } = FileDigest::of(with_slashes(&file.path), &file.content);
             (sha256, path)
@@ -70,7 +70,7 @@ impl FileList {
     pub(super) fn read(folder: &Path) -> Option<Self> {
         let text = String::from_utf8(read(&folder.join(MANIFEST)).ok()?).ok()?;
         let (head, lines) = text.split_once('\n')?;
-        let origin = Origin::of_head(head)?;
+        let origin = ManifestOrigin::of_head(head)?;
         let line = |line: &str| {
             let (digest, path) = line.split_once("  ")?;
             // A list never leads out of its folder.
@@ -106,12 +106,12 @@ pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
     let Some(list) = FileList::read(folder) else { return Ok(()) };
     let (intact, all) = (list.intact(folder).len(), list.files.len());
     match (list.origin, intact < all) {
-        (Origin::Several, _) => Err(Failure::input(format!(
+        (ManifestOrigin::Several, _) => Err(Failure::input(format!(
             "{}: the results in it come from several runs, by {MANIFEST}: compute all of them again",
             folder.display()
         ))),
-        (Origin::Run | Origin::Part(_), false) => Ok(()),
-        (Origin::Incomplete, _) => Err(Failure::input(format!(
+        (ManifestOrigin::Run | ManifestOrigin::Part(_), false) => Ok(()),
+        (ManifestOrigin::Incomplete, _) => Err(Failure::input(format!(
             "{}: the results in it are incomplete: run the command again",
             folder.display()
         ))),
@@ -125,7 +125,7 @@ pub(crate) fn refuse_mixture(folder: &Path) -> Result<(), Failure> {
 
 /// The list of the files of a run.
 pub(crate) fn list(files: &[OutputFile], incomplete: bool) -> OutputFile {
-    let origin = if incomplete { Origin::Incomplete } else { Origin::Run };
+    let origin = if incomplete { ManifestOrigin::Incomplete } else { ManifestOrigin::Run };
     FileList::of(files, origin).file()
 }
 
@@ -134,7 +134,7 @@ pub(crate) fn list(files: &[OutputFile], incomplete: bool) -> OutputFile {
 ///
 /// Results may be complete unless the list has them as the files of an incomplete run.
 pub(crate) fn place_of_run(folder: &Path, files: &[OutputFile], incomplete: bool) -> PathBuf {
-    let list = FileList::read(folder).filter(|list| list.origin == Origin::Incomplete);
+    let list = FileList::read(folder).filter(|list| list.origin == ManifestOrigin::Incomplete);
     let replaceable = list.as_ref().map_or(Vec::new(), |list| list.intact(folder));
     let is_whole = |file: &OutputFile| {
         let is_listed = replaceable.iter().any(|path| file.path == Path::new(path));

@@ -8,7 +8,7 @@ use grazing_results::Title;
 use grazing_results::family::Family;
 use grazing_results::{Names, Tables};
 
-use super::{ComputedOutput, Figure, Output, sheet_file};
+use super::{ComputedOutput, DrawnFigure, Output, sheet_file};
 
 /// A family with its names.
 pub(crate) struct NamedFamily {
@@ -43,7 +43,7 @@ fn compute(
     let file = output.figure_file();
     let figures = sheets.into_iter().zip(1..).map(|(sheet, number)| {
         let file = sheet_file(&file, number, count);
-        Figure::new(&of.file, file, output.title.owned(), sheet, &output.table_names())
+        DrawnFigure::new(&of.file, file, output.title.owned(), sheet, &output.table_names())
     });
     Ok(ComputedOutput::new(figures.collect(), of.family.tables(&of.names)))
 }

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use askama::Template;
 use grazing_drawing::Sheet;
 use grazing_results::columns::{LOOPS, RESONANCE_INDEX};
-use grazing_results::title::{Part, Place, parts};
-use grazing_results::{Cell, Column, GREEK, Scientific, Table, Title, raised, symbol};
+use grazing_results::title::{TitlePart, TitleSubject, parts};
+use grazing_results::{Cell, Column, GREEK, Scientific, Table, Title, raised, symbol, words};
 
 use crate::folder::{self, OutputFile};
 use crate::template::rendered;
@@ -149,7 +149,7 @@ impl Float {
     pub(crate) fn figure(file: &str, sheet: &Sheet, caption: &Caption) -> Self {
         let pdf = Path::new(file).with_extension("pdf");
         let number = match caption.title.place {
-            Place::Figure(number) => Some(number),
+            TitleSubject::Figure(number) => Some(number),
             _ => None,
         };
         let text = [&sentence(&caption.title), &*sheet.description, caption.remark.trim_start()];
@@ -234,7 +234,7 @@ pub(crate) fn files<'a>(
 /// A title as a sentence, without its number: LaTeX numbers captions itself.
 fn sentence<Words: AsRef<str>>(title: &Title<Words>) -> String {
     let words = match (title.place, title.before()) {
-        (Place::Beyond, Some(before)) => Cow::Owned(format!("{before}: {}", title.words.as_ref())),
+        (TitleSubject::Beyond, Some(before)) => Cow::Owned(format!("{before}: {}", title.words.as_ref())),
         _ => Cow::Borrowed(title.words.as_ref()),
     };
     let mut letters = words.chars();
@@ -255,8 +255,8 @@ enum Piece {
 fn prose(text: &str) -> Vec<Piece> {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let piece = |part| match part {
-        Part::Words(words) => Piece::Text(with_symbols(words)),
-        Part::Figure(number) => Piece::Figure(number),
+        TitlePart::Words(words) => Piece::Text(with_symbols(words)),
+        TitlePart::Figure(number) => Piece::Figure(number),
     };
     let mut pieces = Vec::new();
     for (index, between) in text.split('$').enumerate() {
@@ -277,18 +277,11 @@ fn with_symbols(text: &str) -> String {
             None => letter(name) && (name.len() > 1 || "npwxyz".contains(name)),
         }
     };
-    let part_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
-    let (mut set, mut rest) = (String::new(), text);
-    while let Some(first) = rest.chars().next() {
-        let end = rest.find(|character| !part_of_name(character)).unwrap_or(rest.len());
-        let (word, after) = rest.split_at(end.max(if end == 0 { first.len_utf8() } else { 0 }));
-        match symbol(word).filter(|_| is_name(word)) {
-            Some(symbol) => set.push_str(&format!("${symbol}$")),
-            None => set.push_str(&escaped(word)),
-        }
-        rest = after;
-    }
-    set
+    let set = |word: &str| match symbol(word).filter(|_| is_name(word)) {
+        Some(symbol) => format!("${symbol}$"),
+        None => escaped(word),
+    };
+    words(text, &['_']).map(set).collect()
 }
 
 impl Float {

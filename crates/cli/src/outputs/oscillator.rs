@@ -7,7 +7,7 @@ use grazing_drawing::{
     DrawingError, Heading, Look, Sheet, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
     draw_place, draw_straightened,
 };
-use grazing_input::{FigureStyle, Named as Legend};
+use grazing_input::{FigureStyle, LabelKind};
 use grazing_results::Title;
 use grazing_results::branches::{OneParameter, Orbits, Readings};
 use grazing_results::grazing::AlongGrazing;
@@ -20,17 +20,14 @@ use grazing_results::{Names, Stability, Tables, brief, columns};
 use grazing_unfold::unfolded::Unfolded;
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, sheet_file};
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, DrawnFigure, Output, sheet_file};
 use crate::failure::Failure;
 use crate::oscillator::OscillatorFile;
-
-/// The analysis of an oscillator from a text file.
-pub(crate) type Analysis = Unfolded;
 
 /// An oscillator from a file, analysed.
 pub(crate) struct AnalysedOscillator {
     pub(crate) oscillator: OscillatorFile,
-    pub(crate) unfolded: Analysis,
+    pub(crate) unfolded: Unfolded,
     diagram: PlaneDiagram,
     /// The comparison with measurements.
     pub(crate) compared: Option<Comparison>,
@@ -40,7 +37,7 @@ pub(crate) struct AnalysedOscillator {
 
 impl AnalysedOscillator {
     /// The analysis of the oscillator that the file describes.
-    pub(crate) fn new(oscillator: OscillatorFile, unfolded: Analysis) -> Self {
+    pub(crate) fn new(oscillator: OscillatorFile, unfolded: Unfolded) -> Self {
         let diagram = unfolded.plane_diagram();
         Self { oscillator, unfolded, diagram, compared: None, places: Vec::new() }
     }
@@ -80,8 +77,8 @@ impl AnalysedOscillator {
         Ok(ComputedOutput::joined(outputs.collect::<Result<Vec<_>, _>>()?))
     }
 
-    fn named(&self, width: SheetWidth) -> Named<'_> {
-        Named {
+    fn named(&self, width: SheetWidth) -> NamedOscillator<'_> {
+        NamedOscillator {
             of: &self.oscillator.file,
             name: self.oscillator.description.name(),
             names: self.names(),
@@ -224,14 +221,14 @@ pub(crate) const STRAIGHTENED_CURVES: Output<AnalysedOscillator> = Output {
 pub(crate) type Computed = Result<ComputedOutput, Box<dyn Error>>;
 
 /// An oscillator by its file, its name and the names of its parameters, drawn at a width.
-pub(crate) struct Named<'a> {
+pub(crate) struct NamedOscillator<'a> {
     pub(crate) of: &'a Path,
     pub(crate) name: &'a str,
     pub(crate) names: &'a Names,
     pub(crate) width: SheetWidth,
 }
 
-impl Named<'_> {
+impl NamedOscillator<'_> {
     fn heading<'h>(
         &'h self,
         name: &'static str,
@@ -255,8 +252,8 @@ impl Named<'_> {
             let sheet =
                 draw_place(place, &self.heading(PLACES.name, &title, description, &tables), self.width)?;
             let file = format!("place-{}.svg", place.place);
-            let figure = Figure::new(self.of, file, shown, sheet, &PLACES.table_names());
-            Ok(Figure { only: Some((columns::PLACE, vec![place.place])), ..figure })
+            let figure = DrawnFigure::new(self.of, file, shown, sheet, &PLACES.table_names());
+            Ok(DrawnFigure { only: Some((columns::PLACE, vec![place.place])), ..figure })
         };
         let figures = places.iter().map(figure).collect::<Result<_, DrawingError>>()?;
         Ok(ComputedOutput::new(figures, AtPlace::tables_of(places, self.names)))
@@ -266,7 +263,7 @@ impl Named<'_> {
     pub(crate) fn plane(&self, diagram: &PlaneDiagram, style: FigureStyle) -> Computed {
         let (shown, tables) = (TWO_PARAMETERS.title.owned(), ["points", "curves"]);
         let title = format!("{}: {shown}", self.name);
-        let frames = if diagram.magnified.is_empty() || !style.names.contains(&Legend::Magnifications) {
+        let frames = if diagram.magnified.is_empty() || !style.names.contains(&LabelKind::Magnifications) {
             ""
         } else {
             "; rectangles: magnifications"
@@ -279,7 +276,7 @@ impl Named<'_> {
         );
         let heading = self.heading("diagram", &title, &description, &tables);
         let sheet = draw_diagram(diagram, &heading, Look { columns: self.width, style })?;
-        let figure = Figure::new(self.of, TWO_PARAMETERS.figure_file(), shown, sheet, &tables);
+        let figure = DrawnFigure::new(self.of, TWO_PARAMETERS.figure_file(), shown, sheet, &tables);
         Ok(ComputedOutput::new(vec![figure], diagram.tables(self.names)))
     }
 
@@ -325,18 +322,19 @@ impl Named<'_> {
         sheets: Vec<Sheet>,
         title: impl Fn(usize) -> Title,
         tables: &[&'static str],
-    ) -> Vec<Figure> {
+    ) -> Vec<DrawnFigure> {
         let count = sheets.len();
         let figure = |(sheet, number): (Sheet, usize)| {
             let panels = sheet.panels().filter_map(|panel| Some(panel.only?.1)).collect();
-            let figure = Figure::new(self.of, sheet_file(file, number, count), title(number), sheet, tables);
-            Figure { only: Some((columns::PANEL, panels)), ..figure }
+            let figure =
+                DrawnFigure::new(self.of, sheet_file(file, number, count), title(number), sheet, tables);
+            DrawnFigure { only: Some((columns::PANEL, panels)), ..figure }
         };
         sheets.into_iter().zip(1..).map(figure).collect()
     }
 
     /// A one-parameter diagram.
-    pub(crate) fn one_parameter(&self, diagram: &OneParameter) -> Result<Figure, DrawingError> {
+    pub(crate) fn one_parameter(&self, diagram: &OneParameter) -> Result<DrawnFigure, DrawingError> {
         let (output, names) = (&ONE_PARAMETER, self.names);
         let shown = format!("{}, {}", output.title, of_one_parameter(names.shown(), diagram));
         let title = format!("{}: {shown}", self.name);
@@ -368,8 +366,8 @@ impl Named<'_> {
         let file = format!("diagram-{}.svg", diagram.diagram);
         let left_out = diagram.simulated.iter().flat_map(Orbits::left_out);
         let shown = left_out.fold(shown, |shown, words| format!("{shown}; left out: {words}"));
-        let figure = Figure::new(self.of, file, shown, sheet, &output.table_names());
-        Ok(Figure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
+        let figure = DrawnFigure::new(self.of, file, shown, sheet, &output.table_names());
+        Ok(DrawnFigure { only: Some((columns::DIAGRAM, vec![diagram.diagram])), ..figure })
     }
 
     /// A sentence about the axes of the plane.

@@ -7,7 +7,7 @@ use grazing_drawing::SheetWidth;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::{
-    CoefficientTable, Coefficients, Remarks, Study, StudyError, StudyFigure, TheoremsInAction,
+    CoefficientTable, ComparedCoefficients, Remarks, Study, StudyError, StudyFigure, TheoremsInAction,
 };
 use grazing_results::columns::{C_2GZ, LOOPS, M_2GZ, M_PD, M_SN, RESONANCE_INDEX, SIGMA};
 use grazing_results::plane::StraightenedCurves;
@@ -15,7 +15,7 @@ use grazing_results::{Names, Tables, Title};
 use grazing_unfold::limit_map::LimitTable;
 
 use super::latex::Caption;
-use super::{COEFFICIENT_COLUMNS, ComputedOutput, Figure, Output, PrintedTable};
+use super::{COEFFICIENT_COLUMNS, ComputedOutput, DrawnFigure, Output, PrintedTable};
 use crate::failure::Failure;
 
 /// All outputs, in the order in which they are computed.
@@ -48,7 +48,7 @@ pub(crate) fn computed<F: StudyFigure>(
         F::constants(study)?.iter().map(|(name, value)| format!("${name} = {value}$")).collect();
     let remark =
         if constants.is_empty() { String::new() } else { format!(" Here {}.", constants.join(", ")) };
-    let figure = Figure {
+    let figure = DrawnFigure {
         file: output.figure_file(),
         sheet: F::draw(shown, width)?,
         caption: Caption { remark, ..output.caption() },
@@ -73,7 +73,7 @@ pub(crate) const COEFFICIENTS: Output<Study> = Output {
             let table = study.coefficients()?;
             Ok(ComputedOutput {
                 tables: table.tables(&Names::of_the_paper()),
-                notes: table.rows.iter().flat_map(Coefficients::doubts).collect(),
+                notes: table.rows.iter().flat_map(ComparedCoefficients::doubts).collect(),
                 gaps: study.unlocated()?,
                 printed: vec![(COEFFICIENT_COLUMNS, output.caption())],
                 ..ComputedOutput::default()

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use grazing_drawing::SheetWidth;
-use grazing_input::Limits;
+use grazing_input::AnalysisLimits;
 use grazing_report::OscillatorEntry;
 use grazing_unfold::progress::Progress;
 
@@ -32,7 +32,7 @@ impl OscillatorFile {
         let examples = folder.iter().flat_map(|folder| EXAMPLES.map(|name| folder.join(name)));
         let mut files: Vec<PathBuf> = examples.filter(|file| file.is_file()).collect();
         files.extend_from_slice(given);
-        files.iter().map(|file| Self::read(file, &[], Limits::USUAL)).collect()
+        files.iter().map(|file| Self::read(file, &[], AnalysisLimits::USUAL)).collect()
     }
 
     /// Unfolds the oscillator up to its limits, and returns its entry with the failure if a limit

@@ -10,8 +10,6 @@ use crate::limits::{EndCause, ended};
 use crate::oscillator::OscillatorFile;
 use crate::runner::Running;
 
-pub(crate) use crate::outputs::oscillator::Analysis;
-
 /// Analyses a prepared oscillator up to the limits of the computation, which include the reading of its file; returns
 /// also the cause that ended the analysis, if anything is missing.
 ///
@@ -22,7 +20,7 @@ pub(crate) fn analyse(
     prepared: Prepared,
     running: &Running<'_>,
     keep: Keep<'_>,
-) -> Result<(Analysis, Option<EndCause>), Failure> {
+) -> Result<(Unfolded, Option<EndCause>), Failure> {
     let unfolded =
         Unfolded::prepared(&of.description, prepared, &**running.progress(), &running.stop(), keep)
             .map_err(|error| failure(of, &error, running.end_cause()))?;

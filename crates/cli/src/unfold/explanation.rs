@@ -7,15 +7,14 @@ use grazing_model::smooth::Purpose;
 use grazing_results::brief;
 use grazing_theorems::{ResonantPoint, Unfolding};
 use grazing_unfold::nothing::place;
-use grazing_unfold::unfolded::AtResonance;
+use grazing_unfold::unfolded::{AtResonance, Unfolded};
 
-use super::analysis::Analysis;
 use crate::layout::{KEPT, Layout};
 
 const DIGITS: usize = 9;
 
 /// Hypotheses with their values and quantities, resonance by resonance.
-pub(crate) fn all(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(crate) fn all(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     unfolded.resonances.iter().map(|at| explained(layout, description, at)).collect()
 }
 

@@ -12,7 +12,7 @@ use grazing_unfold::described::Axes;
 use grazing_unfold::unfolded::Draft;
 
 use crate::folder::{self, OutputFile};
-use crate::outputs::oscillator::Named;
+use crate::outputs::oscillator::NamedOscillator;
 use crate::{tables, terminal};
 
 /// The table of the finished curves, which exists during a run or after an interruption.
@@ -110,7 +110,7 @@ impl Keeper {
         let mut files = vec![OutputFile { path: table, content }];
         if with_picture {
             let (of, name) = (self.file.as_path(), self.description.name());
-            let named = Named { of, name, names: &self.names, width: self.width };
+            let named = NamedOscillator { of, name, names: &self.names, width: self.width };
             let drawn = named.plane(&(draft.plane)(), self.description.figure().clone());
             let figures = drawn.map_err(|error| error.to_string())?.figures.into_iter();
             files.extend(figures.map(|figure| OutputFile {

@@ -14,11 +14,11 @@ use grazing_results::Dimensioned;
 use grazing_results::{Stability, brief, span, with_unit};
 use grazing_unfold::Diagram;
 use grazing_unfold::grazing::along::{along_curve, forgotten};
-use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
+use grazing_unfold::grazing::{GrazingCurve, GrazingCurvePoint, GrazingEnd};
 use grazing_unfold::nothing::place;
 use grazing_unfold::sequences::Sequence;
+use grazing_unfold::unfolded::Unfolded;
 
-use super::analysis::Analysis;
 use super::numbers::{range, significant};
 use crate::layout::Layout;
 pub(crate) use gaps::incomplete;
@@ -86,7 +86,7 @@ fn loops(description: &Description) -> String {
 }
 
 /// Everything that was found, in the order in which it was.
-pub(crate) fn results(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(crate) fn results(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let (units, diagram) = (&unfolded.axes.units, &unfolded.diagram);
     let parts = [
         grazing_curves(layout, description, unfolded),
@@ -108,7 +108,7 @@ pub(crate) fn results(layout: Layout, description: &Description, unfolded: &Anal
     text
 }
 
-fn grazing_curves(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+fn grazing_curves(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let units = &unfolded.axes.units;
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let words = |(arc, curve): (usize, &GrazingCurve)| {
@@ -147,7 +147,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
 }
 
 /// The stability of the solution at a point of a grazing curve.
-fn stability(state: &GrazingState) -> &'static str {
+fn stability(state: &GrazingCurvePoint) -> &'static str {
     match (Stability::of(state.multipliers), state.admissible) {
         (Stability::Neutral, true) => "neutral (neither stable nor unstable)",
         (stability, true) => stability.name(),
@@ -162,7 +162,7 @@ fn parameter_heads(description: &Description) -> [String; 2] {
     [description.secondary(), description.primary()].map(|axis| with_unit(axis.name(), axis.unit()))
 }
 
-fn corners(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+fn corners(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let (units, corners) = (&unfolded.axes.units, &unfolded.diagram.codimension_two);
     if corners.is_empty() {
         return String::new();
@@ -182,7 +182,7 @@ fn corners(layout: Layout, description: &Description, unfolded: &Analysis) -> St
 
 /// The solutions with several impacts, each with the part of the window in which they are stable; between two walls with
 /// those that they hit, and their curves.
-fn several_impacts(layout: Layout, unfolded: &Analysis) -> String {
+fn several_impacts(layout: Layout, unfolded: &Unfolded) -> String {
     let Diagram { wall, scope, .. } = &unfolded.diagram;
     let between = *wall > 0;
     let row = |found: &Sequence| {
@@ -213,7 +213,7 @@ fn several_impacts(layout: Layout, unfolded: &Analysis) -> String {
 }
 
 /// The curves that the file asks for, each with its extent.
-fn own_curves(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+fn own_curves(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let (units, diagram) = (&unfolded.axes.units, &unfolded.diagram);
     let names = [description.primary().name(), description.secondary().name()];
     let requested = diagram.requested.iter().enumerate();
@@ -261,7 +261,6 @@ mod tests {
     use grazing_model::smooth::Stop;
     use grazing_unfold::progress::Silent;
     use grazing_unfold::regions::{Doubt, Region};
-    use grazing_unfold::unfolded::Unfolded;
 
     #[test]
     fn undecided_regions_are_listed_with_their_place_and_their_reason() {

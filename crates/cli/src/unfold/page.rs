@@ -7,8 +7,8 @@ use grazing_report::{FileDigest, Manifest, OscillatorEntry, Report};
 use grazing_unfold::Diagram;
 use grazing_unfold::plane::counts;
 use grazing_unfold::regions::Region;
+use grazing_unfold::unfolded::Unfolded;
 
-use super::analysis::Analysis;
 use super::reason;
 use crate::folder::{self, OutputFile};
 use crate::oscillator::{OscillatorFile, file_name, noted};
@@ -80,9 +80,9 @@ fn leading_comment(text: &str) -> Vec<String> {
 }
 
 /// Resonances that could not be located or unfolded, and work that was not finished, in words.
-pub(crate) fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
+pub(crate) fn lost(description: &Description, unfolded: &Unfolded) -> Vec<String> {
     let units = &unfolded.axes.units;
-    let of = |seen: &Analysis| {
+    let of = |seen: &Unfolded| {
         let diagram = &seen.diagram;
         let wall = at_wall(diagram.wall);
         let lost =
@@ -101,7 +101,7 @@ fn at_wall(wall: u32) -> String {
 }
 
 /// Regions in which the stability of solutions is undecided, with their loops.
-fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String)> {
+fn undecided(description: &Description, unfolded: &Unfolded) -> Vec<(u32, String)> {
     let units = &unfolded.axes.units;
     let words = |region: &Region| reason::undecided(description, units, region);
     let seen = unfolded.from_each_wall().flat_map(|seen| {

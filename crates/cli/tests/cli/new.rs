@@ -3,10 +3,10 @@
 use std::fs;
 
 use crate::program::{empty_folder, grazing, listing};
-use grazing_cli::examples::{Kind, kinds};
-use grazing_input::{Description, Side};
+use grazing_cli::examples::{StarterFile, kinds};
+use grazing_input::{Description, WallSide};
 
-fn kind(name: &str) -> Kind {
+fn kind(name: &str) -> StarterFile {
     kinds().find(|kind| kind.name == name).expect("there is one")
 }
 
@@ -43,7 +43,7 @@ fn the_kind_with_a_moving_wall_can_be_unfolded() {
     assert_begins("moving-wall");
     let description =
         Description::parse(&kind("moving-wall").text("grazing"), "my.toml").expect("it is right");
-    assert_eq!(description.wall().side(), Side::Above);
+    assert_eq!(description.wall().side(), WallSide::Above);
     assert_eq!(description.texts().wall, "a*cos(omega*t)");
 }
 
@@ -62,7 +62,7 @@ fn every_kind_is_tried_or_an_example() {
     assert_eq!(grazing(folder.path(), &["new", "my.toml", "--kind", "duffing"]).code, Some(0));
     let text = fs::read_to_string(folder.path().join("my.toml")).expect("it was written");
     assert_eq!(text, include_str!("../../../../examples/duffing.toml"));
-    let name = |kind: &Kind| {
+    let name = |kind: &StarterFile| {
         Description::parse(&kind.text("grazing"), "my.toml").expect("it is right").name().to_owned()
     };
     assert!(kinds().skip(3).all(|kind| kind.about == name(&kind)));

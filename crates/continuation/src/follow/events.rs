@@ -8,7 +8,7 @@ use crate::arclength::{Continuation, Station, StepControl};
 use crate::bifurcation::Bifurcation;
 use crate::curve::{CurveEnd, Event, SolutionCurve};
 use crate::locate::{Condition, LocateFailure, locate_grazing_end, locate_within};
-use crate::mps::{EventTimes, PeriodicSolution, Stability, Unknowns, unknown};
+use crate::mps::{EventTimes, PeriodicSolution, StabilityFunctions, Unknowns, unknown};
 use crate::tolerances::{
     CUTS, FARTHEST_EVENT, FARTHEST_ITERATE, NO_VELOCITY, ON_TWO_CURVES, STABILITY, TOUCHES_TOO,
 };
@@ -50,7 +50,7 @@ const MAXIMA: usize = 16;
 const BESIDE_GRAZING: f64 = 1e-6;
 
 /// The function that vanishes at a bifurcation detected by multipliers.
-pub(super) fn vanishing(event: Bifurcation, stability: &Stability) -> Option<f64> {
+pub(super) fn vanishing(event: Bifurcation, stability: &StabilityFunctions) -> Option<f64> {
     match event {
         Bifurcation::SaddleNode => Some(stability.saddle_node),
         Bifurcation::PeriodDoubling => Some(stability.period_doubling),
@@ -64,7 +64,7 @@ pub(super) fn vanishing(event: Bifurcation, stability: &Stability) -> Option<f64
 /// negative throughout: only grazing can occur there. On one of fixed product both can become 1 or
 /// −1. Where the product of the multipliers is 1 but for rounding, as it is everywhere without damping, its
 /// deviation has no sign.
-pub(super) fn signs(along: Condition, stability: &Stability, solution: &PeriodicSolution) -> Signs {
+pub(super) fn signs(along: Condition, stability: &StabilityFunctions, solution: &PeriodicSolution) -> Signs {
     let mut signs = Signs::default();
     for event in EVENTS {
         signs[event] = match event {
@@ -113,14 +113,14 @@ impl<O: ImpactOscillator> SolutionCurve<O> {
 }
 
 /// A step along a curve, from one point to the next.
-pub(super) struct Step<'a, O> {
+pub(super) struct CurveStep<'a, O> {
     pub(super) followed: &'a SolutionCurve<O>,
     pub(super) control: StepControl,
     pub(super) before: &'a CurveStation,
     pub(super) after: &'a CurveStation,
 }
 
-impl<O: ImpactOscillator> Step<'_, O> {
+impl<O: ImpactOscillator> CurveStep<'_, O> {
     /// All events on the step, in the order of the curve; `beyond` is the solution at its end,
     /// which is the curve's point of this index.
     pub(super) fn events(
@@ -228,7 +228,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
     fn cut<T>(
         &self,
         comes_later: impl Fn(&CurveStation) -> bool,
-        located: impl Fn(&Step<'_, O>) -> Option<T>,
+        located: impl Fn(&CurveStep<'_, O>) -> Option<T>,
     ) -> Option<T> {
         let way = |a: &CurveStation, b: &CurveStation| self.followed.equations.gap(&a.point, &b.point).norm();
         let (mut before, mut after) = (self.before.clone(), self.after.clone());
@@ -252,7 +252,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
                 continue;
             }
             after = middle;
-            if let Some(found) = located(&Step { before: &before, after: &after, ..*self }) {
+            if let Some(found) = located(&CurveStep { before: &before, after: &after, ..*self }) {
                 return Some(found);
             }
         }
@@ -261,7 +261,7 @@ impl<O: ImpactOscillator> Step<'_, O> {
 
     /// The point on the step where the velocity of an impact vanishes.
     pub(super) fn grazing(&self, impact: usize) -> Result<(Unknowns, EventTimes), LocateFailure> {
-        let located = |step: &Step<'_, O>| {
+        let located = |step: &CurveStep<'_, O>| {
             let near = step.on_chord(unknown::velocity(impact), 0.0);
             let mut times = step.after.carried.clone();
             let SolutionCurve { equations, condition } = step.followed;

@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Matrix2x4, Vector2};
 use smallvec::SmallVec;
 
 use crate::newton::Linearisation;
-use crate::solution::{Multipliers, Stability};
+use crate::solution::{Multipliers, StabilityFunctions};
 use crate::tolerances::WITHOUT_LIMIT;
 use crate::unknowns::{Square, Unknowns, unknown};
 
@@ -244,13 +244,13 @@ impl Round {
     }
 
     /// The stability that follows from the maps.
-    pub(crate) fn stability(&self) -> Stability {
+    pub(crate) fn stability(&self) -> StabilityFunctions {
         let (product, invariants) = self.invariants();
         let [saddle_node, period_doubling] =
             [1.0, -1.0].map(|multiplier| invariants.characteristic(multiplier));
         let torus = invariants.around - invariants.straight;
         let (multipliers, violence) = (invariants.multipliers(), product.norm());
-        Stability { multipliers, saddle_node, period_doubling, pitchfork: None, torus, violence }
+        StabilityFunctions { multipliers, saddle_node, period_doubling, pitchfork: None, torus, violence }
     }
 
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.

@@ -6,7 +6,7 @@ use grazing_continuation::locate::{Condition, locate, same_point};
 use grazing_continuation::mps::{Formulation, LoopEquations, unknown};
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::ImpactOscillator;
-use grazing_theorems::iterated::{Boundary, VelocityBound};
+use grazing_theorems::iterated::{EndEvent, VelocityBound};
 
 use crate::specimens::{DUFFING, EPSILON, ZETA, duffing, located, resonances, route};
 
@@ -61,7 +61,7 @@ fn assert_leaves_as_theory_has_it<O: ImpactOscillator>(resonance: &LocatedResona
         assert!(far.abs() < 0.2 && near.abs() < 0.7 * far.abs() + 1e-4, "{:?}: {far} {near}", curve.0);
         // GZ curves are followed in both directions and end in the resonance; others begin there.
         let at_resonance = match curve.0.boundary {
-            Boundary::Visit(_) => {
+            EndEvent::Visit(_) => {
                 assert!(matches!(curve.2.end, CurveEnd::Grazing), "{:?}", curve.2.end);
                 curve.2.points.last()
             }

@@ -1,7 +1,7 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
 use grazing_continuation::bifurcation::CodimensionTwo;
-use grazing_input::Named;
+use grazing_input::LabelKind;
 use grazing_results::plane::{PlaneDiagram, RegionKind};
 use grazing_results::{Dimensioned, Frame};
 
@@ -16,7 +16,7 @@ use crate::ink::sheet::Sheet;
 use crate::ink::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, THIN_SECTION};
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::kinds::{
-    Region, draw_curves, draw_ends, draw_points, draw_several, name_several, shown_curves,
+    DrawnRegion, draw_curves, draw_ends, draw_points, draw_several, name_several, shown_curves,
 };
 use crate::plot::magnified::{OFF_TRIANGLE, letter, rectangle};
 use crate::plot::measured::draw_measured;
@@ -75,7 +75,7 @@ pub fn draw_diagram(
     labels.farthest = LONGEST_LEADER;
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
-    for region in Region::all(&diagram.regions).into_iter().filter(|region| look.shows(region.kind)) {
+    for region in DrawnRegion::all(&diagram.regions).into_iter().filter(|region| look.shows(region.kind)) {
         let shape = region.draw(&mut panel)?;
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
@@ -88,7 +88,7 @@ pub fn draw_diagram(
     let drawn = draw_curves(&mut panel, &mut labels, shown)?;
     let own = draw_own(&mut panel, &mut labels, &diagram.own)?;
     let mut sections = Vec::new();
-    for section in diagram.sections.iter().filter(|_| look.names(Named::Diagrams)) {
+    for section in diagram.sections.iter().filter(|_| look.names(LabelKind::Diagrams)) {
         let pen = if section.thin { THIN_SECTION } else { SECTION };
         let line = panel.draw_series(panel.curve(&section.ends, pen))?;
         for piece in line.label("line of a one-parameter diagram").legend(legend::line(pen))?.pieces {
@@ -114,7 +114,7 @@ pub fn draw_diagram(
     let lost = lost.chain(lost_own.map(|point| (point.at.primary, point.at.secondary)));
     draw_ends(&mut panel, &mut labels, lost)?;
     let mut boxes = Vec::new();
-    for magnified in diagram.magnified.iter().filter(|_| look.names(Named::Magnifications)) {
+    for magnified in diagram.magnified.iter().filter(|_| look.names(LabelKind::Magnifications)) {
         let outline = rectangle(&mut panel, &magnified.frame, &mut labels)?;
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
@@ -131,7 +131,7 @@ pub fn draw_diagram(
             labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Site::Around(end, 2.5))?;
         }
     }
-    let named = look.names(Named::Regions);
+    let named = look.names(LabelKind::Regions);
     for (p, shape) in by_area(&shapes).into_iter().filter(|_| named) {
         let text = format!("$p={p}$");
         let inside = labels.add(&text, LABEL_SIZE, BLACK, &Site::Within(shape))?
@@ -146,7 +146,7 @@ pub fn draw_diagram(
     for (p, spot) in unnamed.iter().filter(|_| named) {
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Site::Around(*spot, OFF_TRIANGLE))?;
     }
-    if look.names(Named::Curves) {
+    if look.names(LabelKind::Curves) {
         name_own(&mut labels, &own)?;
         labels.name_curves(drawn, LABELLED_LENGTH, &names.grazing_title())?;
     }
@@ -190,7 +190,7 @@ fn coincide(one: &[Spot], other: &[Spot]) -> bool {
 #[cfg(test)]
 mod tests {
     use grazing_continuation::bifurcation::Bifurcation;
-    use grazing_results::plane::Section;
+    use grazing_results::plane::DiagramLine;
 
     use super::*;
     use crate::SheetWidth;
@@ -354,7 +354,7 @@ mod tests {
     fn one_parameter_diagrams_are_shown_where_they_run() {
         let mut sample = sample(3);
         let ends = [(0.25, 0.0), (0.25, 1.0)];
-        sample.diagram.sections.push(Section { ends, name: "diagram 1".to_owned(), thin: true });
+        sample.diagram.sections.push(DiagramLine { ends, name: "diagram 1".to_owned(), thin: true });
         for width in WIDTHS {
             let sheet = draw_diagram(&sample.diagram, &sample.heading(), width).unwrap();
             sheet.assert_well_placed(&width);

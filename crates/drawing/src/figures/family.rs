@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Names;
-use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, Family, Panel as FamilyPanel, Shows};
+use grazing_results::family::{Degeneracy, Degenerate, Family, FamilyCurvePoint, FamilyPanel, Shows};
 use grazing_results::kinds::CurveLook;
 
 use crate::error::DrawingError;
@@ -98,7 +98,7 @@ fn draw_panel(
     count: usize,
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    let varied = |row: &CurvePoint| across(row.varied, count);
+    let varied = |row: &FamilyCurvePoint| across(row.varied, count);
     // The value of a row that the vertical axis shows.
     let up = |secondary: f64, c_sn: f64, c_pd: f64| match shown.shows {
         Shows::Secondary => secondary,
@@ -167,21 +167,21 @@ fn draw_panel(
 }
 
 /// A polyline through a family: its first and last row, and its points.
-type Strand<'a> = (&'a CurvePoint, &'a CurvePoint, Vec<(f64, f64)>);
+type Strand<'a> = (&'a FamilyCurvePoint, &'a FamilyCurvePoint, Vec<(f64, f64)>);
 
 /// The resonances of p loops from member to member. Consecutive arcs of one curve are joined into one
 /// polyline.
 fn strands(
     family: &Family,
     loops: u32,
-    place: impl Fn(&CurvePoint) -> (f64, f64),
-) -> Vec<(&CurvePoint, Vec<(f64, f64)>)> {
+    place: impl Fn(&FamilyCurvePoint) -> (f64, f64),
+) -> Vec<(&FamilyCurvePoint, Vec<(f64, f64)>)> {
     let mut strands: Vec<Strand<'_>> = Vec::new();
-    let own: Vec<&CurvePoint> = family.curves.iter().filter(|row| row.loops == loops).collect();
+    let own: Vec<&FamilyCurvePoint> = family.curves.iter().filter(|row| row.loops == loops).collect();
     for arc in own.chunk_by(|a, b| a.arc == b.arc) {
         let (first, last) = (arc[0], arc[arc.len() - 1]);
         let points = arc.iter().map(|row| place(row));
-        let meets = |end: &CurvePoint| {
+        let meets = |end: &FamilyCurvePoint| {
             (end.curve, end.n) == (first.curve, first.n)
                 && place(end).0 == place(first).0
                 && (end.secondary - first.secondary).abs() < SAME_RESONANCE * first.secondary.abs()
@@ -244,7 +244,7 @@ fn pale(colour: Colour, share: f64) -> Colour {
 #[cfg(test)]
 mod tests {
     use grazing_results::Frame;
-    use grazing_results::family::Point;
+    use grazing_results::family::FamilyPoint;
     use grazing_results::resonance::Coefficients;
 
     use super::*;
@@ -260,7 +260,7 @@ mod tests {
             for k in 0..=40_u32 {
                 let share = f64::from(k) / 40.0;
                 let pole = if loops == 1 { share - 0.41 } else { 1.0 };
-                let row = CurvePoint {
+                let row = FamilyCurvePoint {
                     varied: [f64::NAN, scale * share, other],
                     loops,
                     wall: 0,
@@ -278,7 +278,7 @@ mod tests {
                     end: String::new(),
                 };
                 if k % 10 == 0 {
-                    points.push(Point {
+                    points.push(FamilyPoint {
                         varied: row.varied,
                         kind: kinds[number % 2],
                         loops,
@@ -289,7 +289,7 @@ mod tests {
                         impact_velocity: 0.1,
                     });
                     if k > 0 && k < 40 {
-                        curves.push(CurvePoint { arc: row.arc - 1, ..row.clone() });
+                        curves.push(FamilyCurvePoint { arc: row.arc - 1, ..row.clone() });
                     }
                 }
                 curves.push(row);

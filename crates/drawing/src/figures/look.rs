@@ -1,6 +1,6 @@
 //! Options by which figures of an oscillator differ from the paper's.
 
-use grazing_input::{FigureStyle, Named};
+use grazing_input::{FigureStyle, LabelKind};
 use grazing_results::plane::RegionKind;
 
 use crate::ink::style::SheetWidth;
@@ -29,7 +29,7 @@ impl Look {
     }
 
     /// Whether objects of a kind have their names in the figure.
-    pub(crate) fn names(&self, what: Named) -> bool {
+    pub(crate) fn names(&self, what: LabelKind) -> bool {
         self.style.names.contains(&what)
     }
 
@@ -63,8 +63,8 @@ mod tests {
         Look { columns: USUAL, style }
     }
 
-    fn without(what: Named) -> Look {
-        let names = Named::ALL.into_iter().filter(|named| *named != what).collect();
+    fn without(what: LabelKind) -> Look {
+        let names = LabelKind::ALL.into_iter().filter(|named| *named != what).collect();
         styled(FigureStyle { names, ..FigureStyle::default() })
     }
 
@@ -130,9 +130,9 @@ mod tests {
         let all = texts(USUAL.into());
         assert!(["PD", "$p=", "(a)"].iter().all(|start| has(&all, start)), "{all:?}");
         for (look, gone) in [
-            (without(Named::Curves), "PD"),
-            (without(Named::Regions), "$p="),
-            (without(Named::Magnifications), "(a)"),
+            (without(LabelKind::Curves), "PD"),
+            (without(LabelKind::Regions), "$p="),
+            (without(LabelKind::Magnifications), "(a)"),
         ] {
             let left = texts(look);
             assert!(

@@ -2,7 +2,7 @@
 //! which curves that are tangent to each other are separate at any scale.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_input::Named;
+use grazing_input::LabelKind;
 use grazing_results::Dimensioned;
 use grazing_results::columns::{FROM_RESONANCE, SCALED_DISTANCE};
 use grazing_results::plane::{
@@ -17,7 +17,7 @@ use crate::ink::labels::{Labels, Site};
 use crate::ink::sheet::Sheet;
 use crate::ink::style::{LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
 use crate::plot::axes::{Heading, Panel};
-use crate::plot::kinds::{Region, Trace, TraceOf, draw_curves, draw_points, text_colour};
+use crate::plot::kinds::{DrawnRegion, Trace, TraceOf, draw_curves, draw_points, text_colour};
 use crate::plot::magnified::panel_letter;
 use crate::plot::numbers::Decades;
 use crate::plot::panel_grid::{GridPanel, draw_panels};
@@ -144,12 +144,12 @@ fn draw_panel(
     look: &Look,
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    for region in Region::all(&figure.regions).into_iter().filter(|region| look.shows(region.kind)) {
+    for region in DrawnRegion::all(&figure.regions).into_iter().filter(|region| look.shows(region.kind)) {
         region.draw(panel)?;
     }
     let drawn = draw_curves(panel, &mut labels, curves(&figure.curves, number))?;
     draw_points(panel, &mut labels, &figure.points)?;
-    if look.names(Named::Curves) {
+    if look.names(LabelKind::Curves) {
         labels.name_curves(drawn, LABELLED_LENGTH, &heading.names.grazing_title())?;
     }
     labels.draw()

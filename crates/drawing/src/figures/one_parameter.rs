@@ -17,7 +17,7 @@ use crate::ink::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
 use crate::ink::svg::POINTS_PER_MM;
 use crate::plot::axes::{Heading, Panel, overhang, room_beside};
 use crate::plot::branches::diagram;
-use crate::plot::portraits::{Caption, Portraits, equation, letters};
+use crate::plot::portraits::{PortraitTexts, Portraits, equation, letters};
 use crate::plot::ticks::measured;
 
 /// The width of this figure in the paper.
@@ -91,7 +91,7 @@ pub fn draw_one_parameter(
     let narrow = width < WIDE_MM;
     let in_a_row = if narrow { IN_A_ROW / 2 } else { IN_A_ROW };
     let plane = names.columns().map(|_| ["x", "y"].map(str::to_owned));
-    let caption = Caption { across: &across, titles: [&x, &y], columns: plane, table: portrait_tables };
+    let caption = PortraitTexts { across: &across, titles: [&x, &y], columns: plane, table: portrait_tables };
     let portraits = Portraits::new(&Fonts::load()?, figure, caption, in_a_row, width * POINTS_PER_MM)?;
     let portraits_end = portraits.height();
     let height = match magnified {

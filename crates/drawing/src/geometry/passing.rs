@@ -4,7 +4,7 @@ use crate::geometry::sheet::{Spot, distance};
 
 /// A curve on the sheet with its distance from the viewer: coordinates to the right, downwards and away
 /// from the viewer, in points.
-pub(crate) type Course = Vec<[f64; 3]>;
+pub(crate) type SpaceCurve = Vec<[f64; 3]>;
 
 /// Half the gap in a curve where another one crosses it at a right angle, in points.
 const PASSING_GAP: f64 = 2.2;
@@ -15,7 +15,7 @@ const MEETING_DEPTH: f64 = 2.0;
 const LEAST_CROSSING_SINE: f64 = 0.12;
 
 /// The parts of a curve that remain when it is interrupted wherever a nearer one passes.
-pub(crate) fn interrupted(course: &Course, others: &[&Course]) -> Vec<Vec<Spot>> {
+pub(crate) fn interrupted(course: &SpaceCurve, others: &[&SpaceCurve]) -> Vec<Vec<Spot>> {
     let mut gaps: Vec<[f64; 2]> = Vec::new();
     let mut start = 0.0;
     for pair in course.windows(2) {
@@ -56,7 +56,7 @@ fn passed(far: &[[f64; 3]], near: &[[f64; 3]]) -> Option<(f64, f64)> {
 }
 
 /// The parts of a curve outside intervals of its length.
-fn without(course: &Course, gaps: &[[f64; 2]]) -> Vec<Vec<Spot>> {
+fn without(course: &SpaceCurve, gaps: &[[f64; 2]]) -> Vec<Vec<Spot>> {
     let mut parts: Vec<Vec<Spot>> = Vec::new();
     let mut goes_on = false;
     let mut start = 0.0;
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use crate::geometry::sheet::length;
 
-    fn straight(from: [f64; 3], to: [f64; 3]) -> Course {
+    fn straight(from: [f64; 3], to: [f64; 3]) -> SpaceCurve {
         let at = |k: u32, i: usize| from[i] + (to[i] - from[i]) * f64::from(k) / 40.0;
         (0..=40).map(|k| [at(k, 0), at(k, 1), at(k, 2)]).collect()
     }

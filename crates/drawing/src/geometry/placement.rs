@@ -21,7 +21,7 @@ pub struct Placer {
 
 /// A label that is to be placed: its text, and the size of its box in points.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Wanted<'a> {
+pub(crate) struct WantedLabel<'a> {
     pub(crate) text: &'a str,
     pub(crate) width: f64,
     pub(crate) height: f64,
@@ -93,7 +93,7 @@ impl Placer {
 
     /// The box of a label at a centre if the label may be there: inside the panel, off everything, and not
     /// beside another one of the same text.
-    fn free(&self, centre: Spot, label: Wanted<'_>) -> Option<Bounds> {
+    fn free(&self, centre: Spot, label: WantedLabel<'_>) -> Option<Bounds> {
         let bounds = Bounds::about(centre, label.width, label.height);
         let around = bounds.grown(TWINS);
         let meets = |(a, b): &(Spot, Spot)| bounds.meets(*a, *b);
@@ -124,7 +124,7 @@ impl Placer {
     pub(crate) fn beside_curve(
         &mut self,
         curve: &[Spot],
-        label: Wanted<'_>,
+        label: WantedLabel<'_>,
         over_clouds: bool,
     ) -> Option<LabelPlace> {
         // Fractions of the curve from its middle to 0.08 from its ends.
@@ -169,7 +169,7 @@ impl Placer {
         &mut self,
         spots: &[Spot],
         clearance: f64,
-        label: Wanted<'_>,
+        label: WantedLabel<'_>,
         led: bool,
     ) -> Option<LabelPlace> {
         // Unit vectors to the right, then at multiples of 22.5 degrees to either side: cos and sin of 0,
@@ -215,7 +215,7 @@ impl Placer {
 
     /// The number of curves that a leader crosses; `None` if it passes through a blocked box or crosses
     /// another leader.
-    fn crossed(&self, label: Wanted<'_>, (from, to): (Spot, Spot)) -> Option<usize> {
+    fn crossed(&self, label: WantedLabel<'_>, (from, to): (Spot, Spot)) -> Option<usize> {
         let meets = |&&(a, b): &&(Spot, Spot)| cross((a, b), (from, to));
         let through = self.taken(label.covers).any(|other| other.meets(from, to));
         if through || self.leaders.iter().any(|other| meets(&other)) {
@@ -226,7 +226,7 @@ impl Placer {
 
     /// The position inside a polygon that is farthest from everything else; `None` if the box does not
     /// fit.
-    pub(crate) fn within(&mut self, polygon: &[Spot], label: Wanted<'_>) -> Option<LabelPlace> {
+    pub(crate) fn within(&mut self, polygon: &[Spot], label: WantedLabel<'_>) -> Option<LabelPlace> {
         let polygon = thinned(polygon);
         let Bounds { left, top, right, bottom } = Bounds::around(&polygon).common(self.panel);
         // About 900 trial positions, at least a point apart.
@@ -339,8 +339,8 @@ fn leader(bounds: &Bounds, at: Spot, short: f64) -> (Spot, Spot) {
 mod tests {
     use super::*;
 
-    fn label(text: &str, width: f64, height: f64) -> Wanted<'_> {
-        Wanted { text, width, height, farthest: f64::INFINITY, covers: false }
+    fn label(text: &str, width: f64, height: f64) -> WantedLabel<'_> {
+        WantedLabel { text, width, height, farthest: f64::INFINITY, covers: false }
     }
 
     const SHEET: Bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };

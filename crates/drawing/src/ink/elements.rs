@@ -75,10 +75,10 @@ impl<C, I> Shape<C, I> {
 }
 
 /// A line, closed if it ends where it begins; plotters' `PathElement` drawn with a pen.
-pub type Stroke<C> = Shape<C, Line>;
+pub type Stroke<C> = Shape<C, LineInk>;
 
 /// The ink of a line.
-pub struct Line {
+pub struct LineInk {
     pen: Pen,
     within: Option<Bounds>,
 }
@@ -86,7 +86,7 @@ pub struct Line {
 impl<C> Stroke<C> {
     /// A line through points.
     pub fn new(points: impl Into<Vec<C>>, pen: Pen) -> Self {
-        Shape { rings: vec![points.into()], ink: Line { pen, within: None } }
+        Shape { rings: vec![points.into()], ink: LineInk { pen, within: None } }
     }
 
     /// The line, no ink of which leaves a box of the sheet.
@@ -96,7 +96,7 @@ impl<C> Stroke<C> {
     }
 }
 
-impl Ink for Line {
+impl Ink for LineInk {
     fn draw(&self, rings: Vec<Vec<Hundredths>>, canvas: &Canvas) {
         for spots in rings {
             match &self.within {
@@ -161,10 +161,10 @@ impl Ink for Filling {
 }
 
 /// A filled disc; plotters' `Circle` with a rim.
-pub type Disc<C> = Shape<C, Round>;
+pub type Disc<C> = Shape<C, DiscInk>;
 
 /// The ink of a disc.
-pub struct Round {
+pub struct DiscInk {
     radius: f64,
     attributes: String,
 }
@@ -172,11 +172,11 @@ pub struct Round {
 impl<C> Disc<C> {
     /// A disc with a radius in points, and a rim if there is a pen.
     pub fn new(centre: C, radius: f64, paint: Paint, rim: Option<Pen>) -> Self {
-        Shape::at(centre, Round { radius, attributes: fill(paint) + &stroke(rim) })
+        Shape::at(centre, DiscInk { radius, attributes: fill(paint) + &stroke(rim) })
     }
 }
 
-impl Ink for Round {
+impl Ink for DiscInk {
     fn draw(&self, rings: Vec<Vec<Hundredths>>, canvas: &Canvas) {
         let radius = (100.0 * self.radius).round() as u32;
         rings.iter().flatten().for_each(|centre| canvas.circle(*centre, radius, &self.attributes));

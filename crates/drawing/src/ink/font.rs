@@ -10,10 +10,10 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use ttf_parser::Face as Metrics;
+use ttf_parser::Face;
 
 use crate::error::DrawingError;
-use crate::ink::markup::{Face, Label, Run};
+use crate::ink::markup::{FontFace, Label, Run};
 
 /// Font files for converters (PDF, PNG) that must not use the system's fonts: name and bytes.
 pub const FONT_FILES: [(&str, &[u8]); 3] = [
@@ -65,7 +65,7 @@ impl Extent {
 
 /// The parsed fonts.
 pub struct Fonts {
-    faces: [Metrics<'static>; 3],
+    faces: [Face<'static>; 3],
     /// Glyphs measured so far; reading a glyph's outline is slow.
     glyphs: RefCell<BTreeMap<(usize, char), Glyph>>,
 }
@@ -81,7 +81,7 @@ impl Fonts {
     pub(crate) fn load() -> Result<Self, DrawingError> {
         let parse = |i: usize| {
             let (font, bytes) = FONT_FILES[i];
-            Metrics::parse(bytes, 0).map_err(|reason| DrawingError(format!("embedded font {font}: {reason}")))
+            Face::parse(bytes, 0).map_err(|reason| DrawingError(format!("embedded font {font}: {reason}")))
         };
         Ok(Fonts { faces: [parse(0)?, parse(1)?, parse(2)?], glyphs: RefCell::default() })
     }
@@ -108,9 +108,9 @@ impl Fonts {
         let mut extent = Extent { width: 0.0, ascent: 0.0, descent: 0.0 };
         for run in &label.runs {
             let index = match run.face {
-                Face::Upright => 0,
-                Face::Italic => 1,
-                Face::Signs => 2,
+                FontFace::Upright => 0,
+                FontFace::Italic => 1,
+                FontFace::Signs => 2,
             };
             let (scale, rise) = run.level.size_and_rise(size);
             let em = scale / f64::from(self.faces[index].units_per_em());

@@ -1,7 +1,7 @@
 //! Labels of one panel: positioned while the figure is built, drawn over everything else at the end.
 
 use crate::error::DrawingError;
-use crate::geometry::placement::{LabelPlace, Placer, Wanted};
+use crate::geometry::placement::{LabelPlace, Placer, WantedLabel};
 use crate::geometry::sheet::{Bounds, Spot, along};
 use crate::ink::canvas::{Anchor, Canvas};
 use crate::ink::markup::Label;
@@ -99,8 +99,13 @@ impl<'c> Labels<'c> {
         let further = LEADING * size * lines.len().saturating_sub(1) as f64;
         let height = ascent + further + descent + 2.0 * PADDING;
         let (text, farthest) = (sources.join(" "), self.farthest);
-        let wanted =
-            |width| Wanted { text: &text, width: width + 2.0 * PADDING, height, farthest, covers: false };
+        let wanted = |width| WantedLabel {
+            text: &text,
+            width: width + 2.0 * PADDING,
+            height,
+            farthest,
+            covers: false,
+        };
         // The width in the embedded font is used if the wider fallback does not fit.
         let place = self.find(site, widths.map(wanted));
         if let Some(place) = place {
@@ -110,7 +115,7 @@ impl<'c> Labels<'c> {
     }
 
     /// A position for the first of several versions of a label for which there is one.
-    fn find(&mut self, site: &Site<'_>, labels: [Wanted<'_>; 2]) -> Option<LabelPlace> {
+    fn find(&mut self, site: &Site<'_>, labels: [WantedLabel<'_>; 2]) -> Option<LabelPlace> {
         let beside = |placer: &mut Placer, curve: &[Spot], over_clouds| {
             labels.iter().find_map(|label| placer.beside_curve(curve, *label, over_clouds))
         };
@@ -130,7 +135,7 @@ impl<'c> Labels<'c> {
             Site::Around(spot, clearance) => around(placer, &[spot], clearance, false),
             Site::AroundAny(spots, clearance) => around(placer, spots, clearance, false),
             Site::Anyhow(spots, clearance) => [false, true].into_iter().find_map(|covers| {
-                let far = labels.map(|label| Wanted { farthest: f64::INFINITY, covers, ..label });
+                let far = labels.map(|label| WantedLabel { farthest: f64::INFINITY, covers, ..label });
                 far.into_iter().find_map(|label| placer.around(spots, clearance, label, false))
             }),
             Site::Led(curve) => around(placer, &targets(curve).collect::<Vec<_>>(), OFF_CURVE, true),

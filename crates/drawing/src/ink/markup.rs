@@ -22,7 +22,7 @@ use crate::error::DrawingError;
 
 /// The embedded font of a run of text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Face {
+pub(crate) enum FontFace {
     Upright,
     Italic,
     Signs,
@@ -57,7 +57,7 @@ impl Level {
 /// Text in one face at one level.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Run {
-    pub(crate) face: Face,
+    pub(crate) face: FontFace,
     pub(crate) level: Level,
     pub(crate) text: String,
     /// Whether a circumflex is above the run, which is then one letter.
@@ -71,15 +71,15 @@ pub struct Label {
     pub(crate) runs: Vec<Run>,
 }
 
-const SIGNS: [(&str, char, Face); 8] = [
-    ("le", '≤', Face::Signs),
-    ("ge", '≥', Face::Signs),
-    ("approx", '≈', Face::Signs),
-    ("ast", '∗', Face::Signs),
-    ("sqrt", '√', Face::Signs),
-    ("times", '×', Face::Upright),
-    ("pm", '±', Face::Upright),
-    ("cdot", '·', Face::Upright),
+const SIGNS: [(&str, char, FontFace); 8] = [
+    ("le", '≤', FontFace::Signs),
+    ("ge", '≥', FontFace::Signs),
+    ("approx", '≈', FontFace::Signs),
+    ("ast", '∗', FontFace::Signs),
+    ("sqrt", '√', FontFace::Signs),
+    ("times", '×', FontFace::Upright),
+    ("pm", '±', FontFace::Upright),
+    ("cdot", '·', FontFace::Upright),
 ];
 
 struct Parser<'a> {
@@ -98,7 +98,7 @@ pub fn unmarked(source: &str) -> String {
 impl Label {
     /// A label of upright text without markup.
     pub(crate) fn plain(text: &str) -> Self {
-        let run = Run { face: Face::Upright, level: Level::Line, text: text.to_owned(), hat: false };
+        let run = Run { face: FontFace::Upright, level: Level::Line, text: text.to_owned(), hat: false };
         Label { source: text.to_owned(), runs: vec![run] }
     }
 
@@ -114,7 +114,7 @@ impl Label {
             } else {
                 // The micro sign becomes the letter mu, which the fonts have.
                 let known = if character == '\u{b5}' { '\u{3bc}' } else { character };
-                parser.push(Face::Upright, Level::Line, known);
+                parser.push(FontFace::Upright, Level::Line, known);
             }
         }
         Ok(Label { source: source.to_owned(), runs: parser.runs })
@@ -127,7 +127,7 @@ impl Parser<'_> {
         Err(DrawingError(format!("label `{}`: {reason} at character {position}", self.source)))
     }
 
-    fn push(&mut self, face: Face, level: Level, character: char) {
+    fn push(&mut self, face: FontFace, level: Level, character: char) {
         match self.runs.last_mut() {
             Some(run) if run.face == face && run.level == level && !run.hat => run.text.push(character),
             _ => self.runs.push(Run { face, level, text: character.to_string(), hat: false }),
@@ -153,12 +153,12 @@ impl Parser<'_> {
             '_' | '^' if level != Level::Line => return self.fail("scripts do not nest"),
             '_' => self.script(Level::Subscript)?,
             '^' => self.script(Level::Superscript)?,
-            '-' => self.push(Face::Upright, level, '−'),
-            '=' => "\u{2009}=\u{2009}".chars().for_each(|c| self.push(Face::Upright, level, c)),
-            '\'' => self.push(Face::Upright, level, '′'),
+            '-' => self.push(FontFace::Upright, level, '−'),
+            '=' => "\u{2009}=\u{2009}".chars().for_each(|c| self.push(FontFace::Upright, level, c)),
+            '\'' => self.push(FontFace::Upright, level, '′'),
             '{' | '}' | '$' => return self.fail("stray bracket or `$`"),
-            letter if letter.is_alphabetic() => self.push(Face::Italic, level, letter),
-            other => self.push(Face::Upright, level, other),
+            letter if letter.is_alphabetic() => self.push(FontFace::Italic, level, letter),
+            other => self.push(FontFace::Upright, level, other),
         }
         Ok(())
     }
@@ -176,21 +176,22 @@ impl Parser<'_> {
         let name = &text[..text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len())];
         self.rest = text[name.len()..].chars();
         let greek = GREEK.iter().find(|letter| letter.0 == name);
-        let greek = greek.map(|&(_, c)| (c, if c.is_uppercase() { Face::Upright } else { Face::Italic }));
+        let greek =
+            greek.map(|&(_, c)| (c, if c.is_uppercase() { FontFace::Upright } else { FontFace::Italic }));
         let sign = SIGNS.iter().find(|sign| sign.0 == name).map(|&(_, c, face)| (c, face));
         if let Some((character, face)) = greek.or(sign) {
             self.push(face, level, character);
             return Ok(());
         }
         match name {
-            "" if self.rest.next() == Some(',') => self.push(Face::Upright, level, '\u{2009}'),
+            "" if self.rest.next() == Some(',') => self.push(FontFace::Upright, level, '\u{2009}'),
             "hat" => {
                 let group = [self.rest.next(), self.rest.next(), self.rest.next()];
                 let [Some('{'), Some(letter), Some('}')] = group else {
                     return self.fail("one letter in braces should follow");
                 };
                 let text = letter.to_string();
-                self.runs.push(Run { face: Face::Italic, level, text, hat: true });
+                self.runs.push(Run { face: FontFace::Italic, level, text, hat: true });
             }
             "mathrm" | "mathcal" => {
                 if self.rest.next() != Some('{') {
@@ -200,10 +201,10 @@ impl Parser<'_> {
                     match self.rest.next() {
                         Some('}') => return Ok(()),
                         None => return self.fail("`{` is not closed"),
-                        Some(letter) if name == "mathrm" => self.push(Face::Upright, level, letter),
-                        Some('A') => self.push(Face::Signs, level, '𝒜'),
-                        Some('P') => self.push(Face::Signs, level, '𝒫'),
-                        Some('V') => self.push(Face::Signs, level, '𝒱'),
+                        Some(letter) if name == "mathrm" => self.push(FontFace::Upright, level, letter),
+                        Some('A') => self.push(FontFace::Signs, level, '𝒜'),
+                        Some('P') => self.push(FontFace::Signs, level, '𝒫'),
+                        Some('V') => self.push(FontFace::Signs, level, '𝒱'),
                         Some(_) => return self.fail("only A, P and V have script forms"),
                     }
                 }
@@ -218,7 +219,7 @@ impl Parser<'_> {
 mod tests {
     use super::*;
 
-    fn runs(source: &str) -> Vec<(Face, Level, String)> {
+    fn runs(source: &str) -> Vec<(FontFace, Level, String)> {
         Label::parse(source).unwrap().runs.into_iter().map(|r| (r.face, r.level, r.text)).collect()
     }
 
@@ -227,9 +228,9 @@ mod tests {
         assert_eq!(
             runs("loops $p = 12$"),
             [
-                (Face::Upright, Level::Line, "loops ".to_owned()),
-                (Face::Italic, Level::Line, "p".to_owned()),
-                (Face::Upright, Level::Line, "\u{2009}=\u{2009}12".to_owned()),
+                (FontFace::Upright, Level::Line, "loops ".to_owned()),
+                (FontFace::Italic, Level::Line, "p".to_owned()),
+                (FontFace::Upright, Level::Line, "\u{2009}=\u{2009}12".to_owned()),
             ]
         );
     }
@@ -239,12 +240,12 @@ mod tests {
         assert_eq!(
             runs(r"$\mathcal{A}_{\mathrm{graz}}\omega^\ast c_2$"),
             [
-                (Face::Signs, Level::Line, "𝒜".to_owned()),
-                (Face::Upright, Level::Subscript, "graz".to_owned()),
-                (Face::Italic, Level::Line, "ω".to_owned()),
-                (Face::Signs, Level::Superscript, "∗".to_owned()),
-                (Face::Italic, Level::Line, "c".to_owned()),
-                (Face::Upright, Level::Subscript, "2".to_owned()),
+                (FontFace::Signs, Level::Line, "𝒜".to_owned()),
+                (FontFace::Upright, Level::Subscript, "graz".to_owned()),
+                (FontFace::Italic, Level::Line, "ω".to_owned()),
+                (FontFace::Signs, Level::Superscript, "∗".to_owned()),
+                (FontFace::Italic, Level::Line, "c".to_owned()),
+                (FontFace::Upright, Level::Subscript, "2".to_owned()),
             ]
         );
     }

@@ -6,7 +6,7 @@ use grazing_results::directs;
 
 use crate::geometry::sheet::Hundredths;
 use crate::ink::font::SIGN_FAMILY;
-use crate::ink::markup::{Face, Label, Level};
+use crate::ink::markup::{FontFace, Label, Level};
 use crate::ink::style::{Colour, Paint, Pen};
 
 /// The number of points in a millimetre.
@@ -102,9 +102,9 @@ pub(crate) fn spans(label: &Label, size: f64) -> String {
             let _ = write!(attributes, " font-size=\"{}\"", points(own_size));
         }
         match run.face {
-            Face::Upright => {}
-            Face::Italic => attributes.push_str(" font-style=\"italic\""),
-            Face::Signs => {
+            FontFace::Upright => {}
+            FontFace::Italic => attributes.push_str(" font-style=\"italic\""),
+            FontFace::Signs => {
                 let _ = write!(attributes, " font-family=\"{SIGN_FAMILY}\"");
             }
         }

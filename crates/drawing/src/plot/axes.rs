@@ -67,7 +67,7 @@ pub struct Panel<'c> {
 type Chart = ChartContext<'static, Canvas, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 /// A series that has been drawn: plotters' annotation of it, and its place on the sheet.
-pub struct Series<'p> {
+pub struct DrawnSeries<'p> {
     canvas: &'p Canvas,
     annotation: &'p mut SeriesAnno<'static, Canvas>,
     meaning: String,
@@ -75,10 +75,10 @@ pub struct Series<'p> {
     pub pieces: Vec<Vec<Spot>>,
 }
 
-impl Series<'_> {
+impl DrawnSeries<'_> {
     /// The meaning of the series for the legend, in words with formulas between dollars.
     pub fn label(self, meaning: &str) -> Self {
-        Series { meaning: meaning.to_owned(), ..self }
+        DrawnSeries { meaning: meaning.to_owned(), ..self }
     }
 
     /// Adds the label with its sample to the legend of the sheet, unless it is known or the series is empty, and to what
@@ -148,7 +148,10 @@ impl<'c> Panel<'c> {
     ///
     /// # Errors
     /// As [`Canvas::draw`].
-    pub fn draw_series<E>(&mut self, series: impl IntoIterator<Item = E>) -> Result<Series<'_>, DrawingError>
+    pub fn draw_series<E>(
+        &mut self,
+        series: impl IntoIterator<Item = E>,
+    ) -> Result<DrawnSeries<'_>, DrawingError>
     where
         for<'e> &'e E: PointCollection<'e, (f64, f64)>,
         E: Drawable<Canvas>,
@@ -158,7 +161,7 @@ impl<'c> Panel<'c> {
             |element: &E| element.point_iter().into_iter().map(|point| self.spot(*point.borrow())).collect();
         let pieces = elements.iter().map(spots).collect();
         let annotation = self.chart.draw_series(elements)?;
-        Ok(Series { canvas: self.canvas, annotation, meaning: String::new(), pieces })
+        Ok(DrawnSeries { canvas: self.canvas, annotation, meaning: String::new(), pieces })
     }
 
     /// A curve as lines, clipped to the frame with all of their ink.
@@ -183,7 +186,7 @@ impl<'c> Panel<'c> {
         labels: &mut Labels<'_>,
         points: impl IntoIterator<Item = (f64, f64)>,
         marker: Marker,
-    ) -> Result<Series<'_>, DrawingError> {
+    ) -> Result<DrawnSeries<'_>, DrawingError> {
         let frame = self.frame;
         let visible = points.into_iter().filter(|point| frame.contains(*point));
         let drawn = self.draw_series(visible.map(|point| marker.at(point)))?;

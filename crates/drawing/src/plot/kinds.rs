@@ -4,7 +4,9 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::Stability;
 use grazing_results::kinds::{CurveLook, point_meaning, region_meaning};
-use grazing_results::plane::{PlanePoint, RegionKind, RegionVertex, SequenceVertex, SpecialPoint, Vertex};
+use grazing_results::plane::{
+    PlanePoint, RegionCorner, RegionKind, RegionVertex, SequenceVertex, SpecialPoint,
+};
 
 use crate::error::DrawingError;
 use crate::geometry::sheet::{Bounds, Spot, along, area, length, near};
@@ -225,8 +227,8 @@ pub fn draw_several(
     vertices: &[SequenceVertex],
 ) -> Result<Vec<(String, Vec<Spot>)>, DrawingError> {
     let region = |vertices: &[SequenceVertex]| {
-        let rings = Vertex::rings(vertices.iter().map(|vertex| &vertex.at));
-        (vertices[0].name(), Region { p: 0, kind: vertices[0].kind, rings })
+        let rings = RegionCorner::rings(vertices.iter().map(|vertex| &vertex.at));
+        (vertices[0].name(), DrawnRegion { p: 0, kind: vertices[0].kind, rings })
     };
     let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
     regions.sort_by_key(|(_, region)| region.is_hatched());
@@ -266,20 +268,20 @@ pub fn name_several(
 }
 
 /// A region of the parameter plane; vertices are (across, up).
-pub(crate) struct Region {
+pub(crate) struct DrawnRegion {
     pub(crate) p: u32,
     pub kind: RegionKind,
     /// The border of the region and those of its holes.
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
 
-impl Region {
+impl DrawnRegion {
     /// Regions from their vertices: vertices with the same number form a region.
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
-        let region = |vertices: &[RegionVertex]| Region {
+        let region = |vertices: &[RegionVertex]| DrawnRegion {
             p: vertices[0].loops,
             kind: vertices[0].kind,
-            rings: Vertex::rings(vertices.iter().map(|vertex| &vertex.at)),
+            rings: RegionCorner::rings(vertices.iter().map(|vertex| &vertex.at)),
         };
         let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
         regions.sort_by_key(Self::is_hatched);

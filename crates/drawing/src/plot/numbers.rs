@@ -8,7 +8,7 @@ use crate::error::DrawingError;
 use crate::ink::font::Fonts;
 use crate::ink::markup::Label;
 use crate::ink::style::TICK_SIZE;
-use crate::plot::ticks::{Step, decimal, scientific};
+use crate::plot::ticks::{TickStep, decimal, scientific};
 
 /// The least distance between the numbers along an axis, in points.
 const NUMBER_GAP: f64 = 9.0;
@@ -73,7 +73,7 @@ impl Decades {
         if Self::MIDDLE / (high - low) * room >= TICK_SIZE + 1.0 {
             ticks.push(Tick { value: 0.0, label: "0".to_owned() });
         }
-        Ok(Numbers { ticks, minor, width, scale: Scale::none(Step::ONE) })
+        Ok(Numbers { ticks, minor, width, scale: Scale::none(TickStep::ONE) })
     }
 }
 
@@ -95,7 +95,7 @@ pub(crate) struct Numbers {
 
 impl Scale {
     /// The scale at which the multiples of a step are short when printed.
-    fn fit(step: Step, range: [f64; 2]) -> Self {
+    fn fit(step: TickStep, range: [f64; 2]) -> Self {
         let mut multiples = step.multiples(range).map(|(units, _)| units);
         let first = multiples.next().unwrap_or(0);
         let last = multiples.last().unwrap_or(first);
@@ -122,11 +122,11 @@ impl Scale {
     }
 
     /// The scale at which every number is printed unchanged.
-    fn none(step: Step) -> Self {
+    fn none(step: TickStep) -> Self {
         Scale { offset: 0, exponent: step.exponent(), power: 0 }
     }
 
-    fn ticks(self, step: Step, range: [f64; 2]) -> Vec<Tick> {
+    fn ticks(self, step: TickStep, range: [f64; 2]) -> Vec<Tick> {
         let label = |units: i128| decimal(units - self.offset, self.exponent + self.power);
         step.multiples(range).map(|(units, value)| Tick { value, label: label(units) }).collect()
     }
@@ -174,11 +174,11 @@ impl Numbers {
         range: [f64; 2],
         room: f64,
         direction: Direction,
-        scale_of: impl Fn(Step) -> Scale,
-    ) -> Result<(Self, Step, bool), DrawingError> {
+        scale_of: impl Fn(TickStep) -> Scale,
+    ) -> Result<(Self, TickStep, bool), DrawingError> {
         let length = range[1] - range[0];
         let mut coarsest = None;
-        for step in Step::round_steps(length) {
+        for step in TickStep::round_steps(length) {
             // A step so fine that its ticks would touch need not be measured.
             if length / step.size() * 4.0 > room {
                 continue;
@@ -205,7 +205,7 @@ impl Numbers {
                 break;
             }
         }
-        let bare = Step::ONE;
+        let bare = TickStep::ONE;
         let none = || Numbers { ticks: Vec::new(), minor: Vec::new(), width: 0.0, scale: Scale::none(bare) };
         Ok(coarsest.unwrap_or_else(|| (none(), bare, false)))
     }

@@ -10,7 +10,7 @@ use crate::ink::style::{OWN_TEXT, SMALL_LABEL_SIZE, own_pens};
 use crate::plot::axes::Panel;
 
 /// The pieces of the curves with a name and a number of loops.
-pub(crate) struct OwnCurve {
+pub(crate) struct OwnCurvePieces {
     label: String,
     /// The pieces, each with whether its solutions are stable.
     pieces: Vec<(bool, Vec<Spot>)>,
@@ -23,8 +23,8 @@ pub(crate) fn draw_own(
     panel: &mut Panel<'_>,
     labels: &mut Labels<'_>,
     rows: &[OwnPoint],
-) -> Result<Vec<OwnCurve>, DrawingError> {
-    let mut drawn: Vec<OwnCurve> = Vec::new();
+) -> Result<Vec<OwnCurvePieces>, DrawingError> {
+    let mut drawn: Vec<OwnCurvePieces> = Vec::new();
     let mut names: Vec<&str> = Vec::new();
     for curve in rows.chunk_by(|a, b| a.at.arc == b.at.arc) {
         let (name, loops) = (&curve[0].name, curve[0].loops);
@@ -54,20 +54,22 @@ pub(crate) fn draw_own(
                 let stable = unstable == 0;
                 match drawn.iter_mut().find(|known| known.label == label) {
                     Some(known) => known.pieces.push((stable, piece)),
-                    None => drawn.push(OwnCurve { label: label.clone(), pieces: vec![(stable, piece)] }),
+                    None => {
+                        drawn.push(OwnCurvePieces { label: label.clone(), pieces: vec![(stable, piece)] })
+                    }
                 }
             }
         }
     }
-    for OwnCurve { pieces, .. } in &mut drawn {
+    for OwnCurvePieces { pieces, .. } in &mut drawn {
         pieces.sort_by(|(a, one), (b, other)| b.cmp(a).then(length(other).total_cmp(&length(one))));
     }
     Ok(drawn)
 }
 
 /// Labels the curves where there is room beside a piece, or else with a leader to one.
-pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[OwnCurve]) -> Result<(), DrawingError> {
-    for OwnCurve { label, pieces } in drawn {
+pub(crate) fn name_own(labels: &mut Labels<'_>, drawn: &[OwnCurvePieces]) -> Result<(), DrawingError> {
+    for OwnCurvePieces { label, pieces } in drawn {
         let pieces: Vec<&[Spot]> = pieces.iter().map(|(_, piece)| piece.as_slice()).collect();
         labels.add(label, SMALL_LABEL_SIZE, OWN_TEXT, &Site::Pieces(&pieces))?;
     }

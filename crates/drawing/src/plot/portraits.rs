@@ -39,7 +39,7 @@ const LEADING: f64 = 9.5;
 const LEAST_SIZE: f64 = 6.0;
 
 /// The texts of phase portraits.
-pub(crate) struct Caption<'a> {
+pub(crate) struct PortraitTexts<'a> {
     /// The name of the parameter on the diagram's horizontal axis.
     pub(crate) across: &'a str,
     /// The titles of the axes of a portrait.
@@ -54,7 +54,7 @@ pub(crate) struct Caption<'a> {
 pub(crate) struct Portraits<'a> {
     figure: &'a OneParameter,
     pub(crate) shown: Vec<Portrait<'a>>,
-    caption: Caption<'a>,
+    caption: PortraitTexts<'a>,
     columns: usize,
     frame: Frame,
     /// The left edge of the first portrait of a row, and the width of each with its wall, in points.
@@ -70,7 +70,7 @@ impl<'a> Portraits<'a> {
     pub(crate) fn new(
         fonts: &Fonts,
         figure: &'a OneParameter,
-        caption: Caption<'a>,
+        caption: PortraitTexts<'a>,
         in_a_row: usize,
         sheet: f64,
     ) -> Result<Self, DrawingError> {

@@ -8,7 +8,7 @@ use grazing_results::{Frame, span};
 
 use crate::error::DrawingError;
 use crate::geometry::clip::checked;
-use crate::geometry::passing::{Course, interrupted};
+use crate::geometry::passing::{SpaceCurve, interrupted};
 use crate::geometry::sheet::{Bounds, Spot, length};
 use crate::ink::arrow::{arrow, head_on};
 use crate::ink::canvas::Canvas;
@@ -64,7 +64,7 @@ struct Piece<K> {
     number: u32,
     layer: u32,
     /// Coordinates to the right, downwards and away from the viewer.
-    course: Course,
+    course: SpaceCurve,
 }
 
 impl<K> Piece<K> {
@@ -210,7 +210,7 @@ impl OnSheet {
         layers.extend(self.points.iter().map(|(_, mark)| mark.layer));
         layers.sort_unstable();
         layers.dedup();
-        let flowing: Vec<&Course> =
+        let flowing: Vec<&SpaceCurve> =
             self.curves.iter().filter(|c| flows(c.kind)).map(|piece| &piece.course).collect();
         let headed = self.headed();
         for layer in layers {
@@ -254,7 +254,7 @@ impl OnSheet {
         &self,
         canvas: &Canvas,
         index: usize,
-        flowing: &[&Course],
+        flowing: &[&SpaceCurve],
         headed: bool,
     ) -> Result<(), DrawingError> {
         let piece = &self.curves[index];
@@ -349,7 +349,7 @@ fn last_of<K>(pieces: &[Piece<K>], piece: &Piece<K>) -> bool {
 }
 
 /// The mean distance from the viewer.
-fn depth(course: &Course) -> f64 {
+fn depth(course: &SpaceCurve) -> f64 {
     course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
 }
 

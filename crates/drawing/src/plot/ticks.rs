@@ -4,13 +4,13 @@ use grazing_results::Scientific;
 
 /// A step: `mantissa` times ten to the power of `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Step {
+pub(crate) struct TickStep {
     mantissa: i128,
     exponent: i32,
 }
 
-impl Step {
-    pub(crate) const ONE: Step = Step { mantissa: 1, exponent: 0 };
+impl TickStep {
+    pub(crate) const ONE: TickStep = TickStep { mantissa: 1, exponent: 0 };
 
     /// The step as a number.
     pub(crate) fn size(self) -> f64 {
@@ -37,23 +37,23 @@ impl Step {
 
     /// The step of the smaller ticks in between: a fifth; for a mantissa of two a quarter, which is half
     /// of the unit.
-    pub(crate) fn minor(self) -> Step {
+    pub(crate) fn minor(self) -> TickStep {
         let mantissa = match self.mantissa {
             2 => 5,
             5 => 10,
             _ => 2,
         };
-        Step { mantissa, exponent: self.exponent - 1 }
+        TickStep { mantissa, exponent: self.exponent - 1 }
     }
 
     /// Round steps (1, 2, 5 times a power of ten) from fine to coarse, suitable for an axis of the given
     /// length.
-    pub(crate) fn round_steps(length: f64) -> impl Iterator<Item = Step> {
+    pub(crate) fn round_steps(length: f64) -> impl Iterator<Item = TickStep> {
         // The exponent in scientific notation is the floor of the decimal logarithm, obtained without
         // computing one.
         let Scientific { exponent, .. } = Scientific::of(length);
         (exponent - 2..=exponent + 1)
-            .flat_map(|exponent| [1, 2, 5].map(|mantissa| Step { mantissa, exponent }))
+            .flat_map(|exponent| [1, 2, 5].map(|mantissa| TickStep { mantissa, exponent }))
     }
 }
 
@@ -107,8 +107,8 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
 mod tests {
     use super::*;
 
-    fn step(mantissa: i128, exponent: i32) -> Step {
-        Step { mantissa, exponent }
+    fn step(mantissa: i128, exponent: i32) -> TickStep {
+        TickStep { mantissa, exponent }
     }
 
     #[test]
@@ -138,7 +138,7 @@ mod tests {
 
     #[test]
     fn steps_run_from_fine_to_coarse_around_the_length() {
-        let steps: Vec<f64> = Step::round_steps(0.67).map(|s| s.value(1)).collect();
+        let steps: Vec<f64> = TickStep::round_steps(0.67).map(|s| s.value(1)).collect();
         assert!(steps.is_sorted());
         assert!(steps[0] < 0.67 / 100.0 && steps[steps.len() - 1] > 0.67);
     }

@@ -4,7 +4,7 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
     CurveSource, Magnifications, MagnifiedPanel, MagnifiedPoint, OnCurve, PlaneDiagram, PlanePoint,
-    RegionKind, RegionVertex, SpecialPoint, StraightenedCurves, StraightenedPoint, Vertex,
+    RegionCorner, RegionKind, RegionVertex, SpecialPoint, StraightenedCurves, StraightenedPoint,
 };
 use grazing_results::{Frame, Names};
 
@@ -118,7 +118,7 @@ fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
 fn region_rows(curves: &[SampleCurve], corners: [(f64, f64); 2]) -> Vec<RegionVertex> {
     let vertex = |region, kind, loops, (primary, secondary)| {
         let (wall, n, ring, reason) = (0, 0, 0, String::new());
-        RegionVertex { region, kind, loops, wall, n, at: Vertex { secondary, primary, ring, reason } }
+        RegionVertex { region, kind, loops, wall, n, at: RegionCorner { secondary, primary, ring, reason } }
     };
     let below = curves[0].4.iter().copied().chain(corners);
     let mut rows: Vec<_> = below.map(|spot| vertex(0, RegionKind::NonImpacting, 0, spot)).collect();

@@ -9,7 +9,7 @@ use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue};
 use hyper::{Response, StatusCode};
 use serde_json::Value;
 
-use crate::answer::{Problem, Sheet};
+use crate::answer::{ExportedFile, Problem};
 use crate::asked::JSON;
 
 /// The body of an answer.
@@ -40,8 +40,8 @@ pub(super) fn with_kind(kind: &'static str, body: Body) -> Response<Body> {
 }
 
 /// A file for download.
-pub(super) fn file(sheet: Sheet) -> Result<Response<Body>, Problem> {
-    let Sheet { name, kind, content } = sheet;
+pub(super) fn file(sheet: ExportedFile) -> Result<Response<Body>, Problem> {
+    let ExportedFile { name, kind, content } = sheet;
     let mut response = of_kind(kind, content);
     let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""))
         .map_err(|_| Problem::wrong("the file name is not valid"))?;

@@ -55,7 +55,7 @@ impl Default for Limits {
             time: Duration::from_secs(120),
             grace: Duration::from_secs(10),
             steps: 2_000_000_000,
-            memory: grazing_input::Limits::USUAL.memory,
+            memory: grazing_input::AnalysisLimits::USUAL.memory,
             growth: 250.0,
         }
     }

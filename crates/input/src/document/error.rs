@@ -99,7 +99,7 @@ impl SourceError {
     }
 
     /// The place of the error.
-    fn place(&self) -> Place {
+    fn place(&self) -> SourcePlace {
         let (file, line, span) = match self {
             Self::Unreadable { file, .. } => (file, 0, None),
             Self::Syntax { file, line, column, .. } => (file, *line, Some([column - 1, *column])),
@@ -107,7 +107,7 @@ impl SourceError {
             | Self::MissingKey { file, line, .. }
             | Self::Forbidden { file, line, .. } => (file, *line, None),
         };
-        Place { file: file.clone(), line, span }
+        SourcePlace { file: file.clone(), line, span }
     }
 
     /// The key that is wrong, or missing.
@@ -149,14 +149,14 @@ impl Mistake {
 
 /// A place in a file; a setting has no line.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct SourcePlace {
     pub(crate) file: String,
     /// The line, from 1; 0 for a setting.
     pub(crate) line: usize,
     pub(crate) span: Option<[usize; 2]>,
 }
 
-impl Place {
+impl SourcePlace {
     /// A mistake at this place.
     pub fn mistake(&self, message: String) -> Mistake {
         match self.line {
@@ -166,7 +166,7 @@ impl Place {
     }
 }
 
-impl Display for Place {
+impl Display for SourcePlace {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.line {
             0 => formatter.write_str(&self.file),

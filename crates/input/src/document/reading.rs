@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::error::{Place, SourceError};
+use super::error::{SourceError, SourcePlace};
 use super::keys::Requirements;
 use super::section::Section;
 use super::setting::Setting;
@@ -23,7 +23,7 @@ impl Source<'_> {
         for ((position, setting), assigned) in settings.iter().zip(&assigned) {
             self.must_be_there(setting, *position, document.get_ref())?;
             setting.apply(document.get_mut(), *position, assigned).map_err(|refusal| {
-                let Place { file, line, .. } = self.place(*position);
+                let SourcePlace { file, line, .. } = self.place(*position);
                 let [key, value] = [setting.key(), setting.value()].map(|text| shortened(text, SHOWN));
                 let allowed = format!("{}: {}", refusal.key, refusal.allowed);
                 SourceError::Forbidden { file, line, key, value, allowed }

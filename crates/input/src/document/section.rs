@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
-use super::error::{Place, SourceError};
+use super::error::{SourceError, SourcePlace};
 use super::setting::steps;
 use super::source::Source;
 use super::words::joined;
@@ -135,13 +135,13 @@ impl<'d> Section<'d> {
     }
 
     /// The place of a value.
-    pub fn place(&self, name: &str) -> Place {
+    pub fn place(&self, name: &str) -> SourcePlace {
         self.source.place(self.span(name).start)
     }
 
     /// The place of a part of the text stored in a value, its characters marked unless escapes or a
     /// line end lie among them.
-    pub fn place_in(&self, name: &str, text: &str, part: &Range<usize>) -> Place {
+    pub fn place_in(&self, name: &str, text: &str, part: &Range<usize>) -> SourcePlace {
         let span = self.span(name);
         // With escapes in it, the text's lines are not those of the file.
         match self.source.raw(span.clone()).find(text) {

@@ -126,7 +126,7 @@ impl Setting {
 /// the span.
 fn put<'d>(
     table: &mut DeTable<'d>,
-    steps: &[Step],
+    steps: &[KeyPart],
     above: &str,
     span: &Range<usize>,
     value: Spanned<DeValue<'d>>,
@@ -173,20 +173,20 @@ pub(crate) struct Refusal {
 }
 
 /// A part of a key, with the number of a member, from 1, if there is one.
-pub(crate) struct Step {
+pub(crate) struct KeyPart {
     pub(crate) name: String,
     pub(crate) member: Option<usize>,
 }
 
 /// The parts of a key; `None` if it has an empty part or an invalid member number.
-pub(crate) fn steps(key: &str) -> Option<Vec<Step>> {
+pub(crate) fn steps(key: &str) -> Option<Vec<KeyPart>> {
     let step = |part: &str| {
         let (name, member) = match part.split_once('[') {
             Some((name, rest)) => (name, Some(rest.strip_suffix(']')?.parse().ok()?)),
             None => (part, None),
         };
         let plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == '-';
-        (!name.is_empty() && name.chars().all(plain)).then(|| Step { name: name.to_owned(), member })
+        (!name.is_empty() && name.chars().all(plain)).then(|| KeyPart { name: name.to_owned(), member })
     };
     key.split('.').map(step).collect()
 }

@@ -3,7 +3,7 @@
 
 use std::ops;
 
-use super::error::{Place, SourceError};
+use super::error::{SourceError, SourcePlace};
 use super::keys::Requirements;
 use super::text::Text;
 use super::words::{SHOWN, joined, nearest, shortened};
@@ -23,19 +23,19 @@ impl<'a> Source<'a> {
     }
 
     /// The file with the line of a position in the text, or the setting at that position.
-    pub(crate) fn place(&self, position: usize) -> Place {
+    pub(crate) fn place(&self, position: usize) -> SourcePlace {
         let set = self.text.settings.iter().any(|(start, _)| *start <= position);
         let (file, line) = if set { ("--set", 0) } else { (self.file, self.line(position)) };
-        Place { file: file.to_owned(), line, span: None }
+        SourcePlace { file: file.to_owned(), line, span: None }
     }
 
     /// The place of a part of the text, its characters marked as far as they are on one line.
-    pub(crate) fn marked(&self, part: ops::Range<usize>) -> Place {
+    pub(crate) fn marked(&self, part: ops::Range<usize>) -> SourcePlace {
         let line = &self.text.whole[self.line_start(part.start)..part.start];
         let marked = self.text.whole[part.clone()].lines().next().unwrap_or_default();
         let from = line.chars().count();
         let span = Some([from, from + marked.chars().count().max(1)]);
-        Place { span, ..self.place(part.start) }
+        SourcePlace { span, ..self.place(part.start) }
     }
 
     /// The error that the value at a place does not meet its requirement.
@@ -44,7 +44,7 @@ impl<'a> Source<'a> {
     }
 
     pub(crate) fn forbid_at(&self, key: &str, span: ops::Range<usize>, allowed: String) -> SourceError {
-        let Place { file, line, .. } = self.place(span.start);
+        let SourcePlace { file, line, .. } = self.place(span.start);
         SourceError::Forbidden { file, line, key: key.to_owned(), value: self.written(span), allowed }
     }
 
@@ -116,7 +116,7 @@ impl<'a> Source<'a> {
 
     /// The error that a key, of which `name` is the last part, is unknown.
     pub(crate) fn unknown(&self, position: usize, key: String, name: &str, known: &[&str]) -> SourceError {
-        let Place { file, line, .. } = self.place(position);
+        let SourcePlace { file, line, .. } = self.place(position);
         let nearest = nearest(name, known).map(Box::from);
         let table = key.rsplit_once('.').filter(|_| nearest.is_none()).map(|(table, _)| table);
         let about = table.map(|table| self.requirements.of(table).into());
@@ -127,7 +127,7 @@ impl<'a> Source<'a> {
     /// The error that a key is missing in the table at a position.
     pub(crate) fn missing(&self, table: &str, name: &str, position: usize) -> SourceError {
         let key = joined(table, name);
-        let Place { file, line, .. } = self.place(position);
+        let SourcePlace { file, line, .. } = self.place(position);
         let line = if !table.is_empty() {
             line
         } else if self.requirements.known_keys(name).is_empty() {

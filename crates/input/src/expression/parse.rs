@@ -9,7 +9,7 @@ use grazing_model::smooth::Stop;
 use nanoexpr::{Context, ErrorKind, Evaluator, Number};
 
 use super::graph::{Graph, Term};
-use super::partials::Formulas;
+use super::partials::ForceDerivatives;
 use super::{Expression, ExpressionError, assemble, function};
 use crate::document::{nearest, shortened, suggestion};
 
@@ -273,7 +273,7 @@ pub(crate) fn from_the_wall(
         .and_then(|force| force.multiply(Term::Number(sign)))
         .map_err(too_large)?;
     let [mut force, x, v] = [seen, x, v].map(|term| assembled(&graph, term, variables, 2));
-    force.1 = Formulas::of(&graph, seen, &force, variables, stop).map(Arc::new);
+    force.1 = ForceDerivatives::of(&graph, seen, &force, variables, stop).map(Arc::new);
     Ok([force, x, v])
 }
 

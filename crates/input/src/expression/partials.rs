@@ -20,7 +20,7 @@ const LONGEST: usize = 1000;
 
 /// Formulas for the derivatives of a force.
 #[derive(Debug, PartialEq)]
-pub(super) struct Formulas {
+pub(super) struct ForceDerivatives {
     /// F, F_x and F_y.
     slopes: Tape,
     /// F and its derivatives that are not zero everywhere, by increasing order, with the place of each.
@@ -30,7 +30,7 @@ pub(super) struct Formulas {
     first_order: usize,
 }
 
-impl Formulas {
+impl ForceDerivatives {
     /// The formulas for a force; `None` if they are long, or contain numbers too large for computation.
     pub(super) fn of(
         graph: &Graph,
@@ -72,7 +72,7 @@ impl Expression {
         &'a self,
         others: &[S],
     ) -> Option<impl FnMut(&[&S], bool) -> [S; 3] + use<'a, S>> {
-        let Formulas { slopes, .. } = &**self.1.as_ref()?;
+        let ForceDerivatives { slopes, .. } = &**self.1.as_ref()?;
         let mut list: Vec<S> = slopes.held(others);
         Some(move |moving: &[&S], wanted: bool| {
             slopes.run_rest(if wanted { 3 } else { 1 }, moving, &mut list);
@@ -89,7 +89,7 @@ impl Expression {
         Partials(partials): &mut Partials<S>,
     ) -> bool {
         let Some(formulas) = &self.1 else { return false };
-        let Formulas { all: Tape { whole, .. }, places, first_order, .. } = &**formulas;
+        let ForceDerivatives { all: Tape { whole, .. }, places, first_order, .. } = &**formulas;
         let results = if second { places.len() } else { *first_order };
         let count = whole.needed_for(results, VARIABLES);
         with_space(count, |list| {

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 use super::graph::{Graph, Node};
-use super::partials::Formulas;
+use super::partials::ForceDerivatives;
 use super::{Expression, parse};
 
 /// The interval of all numbers from the first to the second.
@@ -211,7 +211,7 @@ proptest! {
             let variables = parse::numbered(&graph, &names);
             let Ok((term, _)) = parse::term(&text, &variables, &[], &Stop::default()) else { return Ok(()) };
             let mut force = parse::assembled(&graph, term, &names, 2);
-            let Some(formulas) = Formulas::of(&graph, term, &force, &names, &Stop::default()) else { return Ok(()) };
+            let Some(formulas) = ForceDerivatives::of(&graph, term, &force, &names, &Stop::default()) else { return Ok(()) };
             force.1 = Some(Arc::new(formulas));
             let close = |found: f64, wanted: f64, size: f64| {
                 !(size + wanted).is_finite() || (found - wanted).abs() <= 1e-9 * (1.0 + size.abs() + wanted.abs())

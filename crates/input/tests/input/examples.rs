@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_input::{Description, MOST_VALUES_ON_STACK, Side};
+use grazing_input::{Description, MOST_VALUES_ON_STACK, WallSide};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 
@@ -113,7 +113,7 @@ fn the_forces_of_the_examples_are_those_of_their_comments() {
 fn assert_force(name: &str, wanted: impl Fn(&dyn Fn(&str) -> f64, [f64; 5]) -> f64) {
     let description = example(name);
     let (units, sign) =
-        (description.units(), if description.wall().side() == Side::Above { -1.0 } else { 1.0 });
+        (description.units(), if description.wall().side() == WallSide::Above { -1.0 } else { 1.0 });
     let axes = [description.primary(), description.secondary()];
     for i in 0..50 {
         let i = f64::from(i);

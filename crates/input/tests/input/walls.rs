@@ -1,7 +1,7 @@
 //! Walls at other positions, on the other side, or in motion: the same oscillator written in other
 //! coordinates.
 
-use grazing_input::{Description, Side};
+use grazing_input::{Description, WallSide};
 use grazing_model::smooth::SmoothOscillator;
 
 /// A description with this motion, whose parameters are `B` and `omega` and whose only constants
@@ -55,7 +55,7 @@ fn above_the_wall_is_below_it_upside_down() {
     let above =
         described("-2*zeta*v - x + 1 - B*omega^2*cos(omega*t)", "[wall]\nposition = \"0\"\nside = \"above\"")
             .unwrap();
-    assert_eq!(above.wall().side(), Side::Above);
+    assert_eq!(above.wall().side(), WallSide::Above);
     assert_eq!(difference(&paper, &above), 0.0);
     assert_eq!(above.start(), Some([-0.5, 0.25]));
     let shifted =
@@ -86,7 +86,7 @@ fn two_walls_have_the_motion_between_them_and_their_own_reset_laws() {
     let first = between(walls, IMPACT).expect("it is right");
     assert!(first.has_two_walls());
     let [upper, lower] = [0, 1].map(|k| first.from_each_wall().nth(k).expect("there are two"));
-    assert_eq!([upper.wall().side(), lower.wall().side()], [Side::Below, Side::Above]);
+    assert_eq!([upper.wall().side(), lower.wall().side()], [WallSide::Below, WallSide::Above]);
     assert_eq!([&upper, &lower].map(|seen| seen.restitution(0.3, 0.0, 1.0, 0.8)), [0.7, 0.5]);
     // One place of the file, seen from both, a distance D and a rate of it apart.
     let (at, time) = ([1.0, 0.8], 0.7);

@@ -15,14 +15,14 @@ pub(super) enum Separator {
 
 /// A row of the file, with its line number.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct FileRow {
     pub(super) line: u32,
     pub(super) cells: Vec<String>,
     /// Whether the first cell is in quotation marks.
     pub(super) quoted: bool,
 }
 
-impl Row {
+impl FileRow {
     /// The cell in a column; empty if there is no such cell.
     pub(super) fn cell(&self, position: Option<usize>) -> &str {
         position.and_then(|place| self.cells.get(place)).map_or("", String::as_str)
@@ -30,12 +30,12 @@ impl Row {
 }
 
 /// A mistake in a line.
-pub(super) type Mistake = (u32, String);
+pub(super) type LineMistake = (u32, String);
 
 /// The rows of a text, and the last comment before them, which may name the columns.
 pub(super) struct Rows {
-    pub(super) comment: Option<Row>,
-    pub(super) rows: Vec<Row>,
+    pub(super) comment: Option<FileRow>,
+    pub(super) rows: Vec<FileRow>,
 }
 
 /// The most lines of a cell in quotation marks.
@@ -72,9 +72,9 @@ impl Separator {
     ///
     /// # Errors
     /// The first line with a quotation mark that has no partner or stands within a cell.
-    pub(super) fn rows(self, text: &str) -> Result<Rows, Mistake> {
+    pub(super) fn rows(self, text: &str) -> Result<Rows, LineMistake> {
         let mut lines = (1..).zip(text.split('\n'));
-        let (mut comment, mut rows) = (None, Vec::<Row>::new());
+        let (mut comment, mut rows) = (None, Vec::<FileRow>::new());
         let of_auto = text.split('\n').any(|line| line.split_whitespace().take(AUTO.len()).eq(AUTO));
         while let Some((line, first)) = lines.next() {
             let unmarked = first.trim_start();
@@ -85,7 +85,7 @@ impl Separator {
                 if rows.is_empty()
                     && let Ok(Some(cells)) = self.cells(words)
                 {
-                    comment = Some(Row { line, cells, quoted: false });
+                    comment = Some(FileRow { line, cells, quoted: false });
                 }
                 continue;
             }
@@ -105,7 +105,7 @@ impl Separator {
                     }
                 }
             };
-            rows.push(Row { line, cells, quoted: unmarked.starts_with('"') });
+            rows.push(FileRow { line, cells, quoted: unmarked.starts_with('"') });
         }
         Ok(Rows { comment, rows })
     }

@@ -2,12 +2,12 @@
 
 /// How the numbers of a file are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Decimal {
+pub(super) enum DecimalMark {
     Point,
     Comma,
 }
 
-impl Decimal {
+impl DecimalMark {
     /// The way in which all these numbers are written: with a comma if at least one of them can only be
     /// meant so, and none has a point.
     pub(super) fn of<'c>(cells: impl Iterator<Item = &'c str> + Clone) -> Self {

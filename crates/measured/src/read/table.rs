@@ -2,10 +2,10 @@
 
 use grazing_input::{nearest, shortened, suggestion};
 
-use super::cells::{Mistake, Row, Rows, Separator};
+use super::cells::{FileRow, LineMistake, Rows, Separator};
 use super::columns::Columns;
 use super::error::MeasurementError;
-use super::number::{self, Decimal};
+use super::number::{self, DecimalMark};
 
 /// The greatest number of rows: more than are measured by hand or needed for curves.
 const MOST_ROWS: usize = 10_000;
@@ -15,13 +15,13 @@ const SHOWN: usize = 60;
 const MOST_PERIODS: u32 = 1_000;
 
 /// A CSV file, split into cells.
-pub(super) struct Table<'t> {
+pub(super) struct CsvTable<'t> {
     pub(super) file: &'t str,
     pub(super) names: [&'t str; 2],
     /// The name of each column that is known, and its place.
     columns: Vec<(String, usize)>,
-    decimal: Decimal,
-    pub(super) rows: Vec<Row>,
+    decimal: DecimalMark,
+    pub(super) rows: Vec<FileRow>,
 }
 
 /// What is asked of a file.
@@ -48,13 +48,13 @@ pub(super) fn named(column: &str, [primary, secondary]: [&str; 2]) -> String {
 const WORDS: [&str; 3] = ["seen", "series", "wall"];
 const FIRST: &str = "the first line names the columns";
 
-impl<'t> Table<'t> {
+impl<'t> CsvTable<'t> {
     /// Reads a text in the one way in which its cells can be separated.
     ///
     /// # Errors
     /// The first mistake; or there are several ways.
     pub(super) fn read(text: &str, request: &Request<'t>) -> Result<Self, MeasurementError> {
-        let wrong = |(line, reason): Mistake| {
+        let wrong = |(line, reason): LineMistake| {
             let file = request.file;
             let place = if line == 0 { file.to_owned() } else { format!("{file}:{line}") };
             MeasurementError::Wrong { place, reason }
@@ -121,13 +121,13 @@ impl<'t> Table<'t> {
     }
 
     /// The cell of a column that may be left out; empty if it says that there is no number.
-    pub(super) fn optional<'r>(&self, row: &'r Row, column: &str) -> &'r str {
+    pub(super) fn optional<'r>(&self, row: &'r FileRow, column: &str) -> &'r str {
         let cell = row.cell(self.position(column));
         if number::is_none(cell) { "" } else { cell }
     }
 
     /// The error for a cell, with how to correct it.
-    pub(super) fn refusal(&self, row: &Row, column: &str, right: &str) -> MeasurementError {
+    pub(super) fn refusal(&self, row: &FileRow, column: &str, right: &str) -> MeasurementError {
         let (value, name) = (shortened(row.cell(self.position(column)), SHOWN), named(column, self.names));
         let value = if value.is_empty() { "nothing".to_owned() } else { format!("`{value}`") };
         MeasurementError::Wrong {
@@ -139,7 +139,7 @@ impl<'t> Table<'t> {
     /// A finite number that satisfies a requirement.
     pub(super) fn number(
         &self,
-        row: &Row,
+        row: &FileRow,
         column: &str,
         right: impl Fn(f64) -> bool,
         what: &str,
@@ -153,7 +153,7 @@ impl<'t> Table<'t> {
     /// A whole number of at least `least`, or `none` for an empty cell.
     pub(super) fn count(
         &self,
-        row: &Row,
+        row: &FileRow,
         column: &str,
         least: u32,
         none: Option<u32>,
@@ -176,7 +176,7 @@ impl<'t> Table<'t> {
         }
     }
 
-    pub(super) fn place(&self, row: &Row) -> Result<[f64; 2], MeasurementError> {
+    pub(super) fn place(&self, row: &FileRow) -> Result<[f64; 2], MeasurementError> {
         let number = |column| self.number(row, column, |_| true, "a number");
         Ok([number("{primary}")?, number("{secondary}")?])
     }
@@ -187,14 +187,15 @@ impl<'t> Request<'t> {
     ///
     /// # Errors
     /// The first mistake.
-    fn table(&self, text: &str, separator: Separator) -> Result<Table<'t>, Mistake> {
+    fn table(&self, text: &str, separator: Separator) -> Result<CsvTable<'t>, LineMistake> {
         let Rows { comment, mut rows } = separator.rows(text)?;
         let first = rows.first().cloned().ok_or_else(|| (0, format!("it is empty: {FIRST}")))?;
         let by_number: Vec<(&str, usize)> = self.by_number(&first)?;
-        let is_number =
-            |cell: &str| [Decimal::Point, Decimal::Comma].iter().any(|way| way.number(cell).is_some());
+        let is_number = |cell: &str| {
+            [DecimalMark::Point, DecimalMark::Comma].iter().any(|way| way.number(cell).is_some())
+        };
         // A column of a parameter that is given by its number and holds no number.
-        let other = |row: &Row| {
+        let other = |row: &FileRow| {
             let mut places = by_number.iter().filter(|(name, _)| self.names.contains(name));
             places.find(|(_, place)| !is_number(row.cell(Some(*place)))).copied()
         };
@@ -214,7 +215,7 @@ impl<'t> Request<'t> {
                     format!("{reason}: separate all cells in one way, and write decimals with a point"),
                 ));
             }
-            let nameless = Row { cells: vec![String::new(); first.cells.len()], ..first };
+            let nameless = FileRow { cells: vec![String::new(); first.cells.len()], ..first };
             (self.columns(&nameless, &by_number)?, first.cells.len())
         } else {
             match self.columns(&first, &by_number) {
@@ -277,8 +278,8 @@ impl<'t> Request<'t> {
                 let measured = columns.iter().filter(|(name, _)| !WORDS.contains(&name.as_str()));
                 let measured: Vec<usize> = measured.map(|(_, place)| *place).collect();
                 let cells = rows.iter().flat_map(|row| measured.iter().map(|place| row.cell(Some(*place))));
-                let decimal = Decimal::of(cells);
-                Ok(Table { file: self.file, names: self.names, columns, decimal, rows })
+                let decimal = DecimalMark::of(cells);
+                Ok(CsvTable { file: self.file, names: self.names, columns, decimal, rows })
             }
         }
     }
@@ -294,7 +295,7 @@ impl<'t> Request<'t> {
     }
 
     /// The places of the columns that are given by their numbers.
-    fn by_number(&self, first: &Row) -> Result<Vec<(&'t str, usize)>, Mistake> {
+    fn by_number(&self, first: &FileRow) -> Result<Vec<(&'t str, usize)>, LineMistake> {
         let numbered =
             self.renamed.iter().filter(|(_, column)| column.bytes().all(|digit| digit.is_ascii_digit()));
         let place = |(name, column): &'t (String, String)| match column.parse::<usize>() {
@@ -313,7 +314,11 @@ impl<'t> Request<'t> {
     }
 
     /// The name of each known column, and its place.
-    fn columns(&self, header: &Row, by_number: &[(&str, usize)]) -> Result<Vec<(String, usize)>, Mistake> {
+    fn columns(
+        &self,
+        header: &FileRow,
+        by_number: &[(&str, usize)],
+    ) -> Result<Vec<(String, usize)>, LineMistake> {
         let known: Vec<String> = self.columns.iter().map(|(column, _)| named(column, self.names)).collect();
         let list = || known.join(", ");
         let at = |reason: String| (header.line, reason);

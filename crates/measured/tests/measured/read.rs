@@ -235,7 +235,7 @@ fn walls_are_read_as_the_oscillator_has_them() {
         let text = format!("A,omega,time,velocity_before{head}\n{rows}");
         record_of(&text, "rig.csv", setup, &[]).map_err(|error| error.to_string())
     };
-    let walls = |series: &[grazing_measured::Series]| {
+    let walls = |series: &[grazing_measured::ImpactRecord]| {
         series.iter().flat_map(|one| &one.impacts).map(|impact| impact.wall).collect::<Vec<_>>()
     };
     assert_eq!(walls(&record(TWO, ",wall", "1,2,0,0.5,2\n1,2,3,0.5,1\n").unwrap()), [2, 1]);

@@ -1,7 +1,7 @@
 //! Measured motion with several impacts beside the regions of such solutions.
 
 use grazing_continuation::curve::Window;
-use grazing_measured::{Observation, Seen, compare};
+use grazing_measured::{Behaviour, Observation, compare};
 use grazing_model::smooth::Stop;
 use grazing_model::{AnyOscillator, LinearOscillator};
 use grazing_results::measured::Agreement;
@@ -28,7 +28,7 @@ fn motion_with_several_impacts_agrees_by_its_region_or_else_by_simulation() {
             Some((found, inside.into_iter().next()?))
         })
         .expect("there are such regions");
-    let seen = Seen::Periodic { periods: found.periods, impacts: found.impacts as u32 };
+    let seen = Behaviour::Periodic { periods: found.periods, impacts: found.impacts as u32 };
     let observation = [Observation { line: 2, at, errors: [0.0; 2], seen }];
     let verdict = |several| {
         let told = compare(

@@ -7,8 +7,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_measured::read::Impact;
 use grazing_measured::{
-    Datum, Fit, Measurements, Observation, Seen, Segment, Series, Task, Walls, Weight, associate, fit,
-    identify,
+    Behaviour, Datum, Fit, IdentificationTask, ImpactRecord, Loss, MeasuredWalls, Measurements, Observation,
+    Segment, associate, fit, identify,
 };
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::smooth::Units;
@@ -60,11 +60,11 @@ impl Noise {
 }
 
 /// Places on the true oscillator's curves of grazing, SN and PD.
-fn places(truth: &Diagram) -> Vec<(Seen, [f64; 2])> {
+fn places(truth: &Diagram) -> Vec<(Behaviour, [f64; 2])> {
     let mut all = Vec::new();
     let grazing: Vec<[f64; 2]> = truth.grazing.iter().flat_map(|curve| curve.parameters()).collect();
     let kind = Bifurcation::NonImpactingGrazing;
-    let seen = |kind, loops| Seen::Bifurcation { kind, loops, walls: Walls::Unsaid };
+    let seen = |kind, loops| Behaviour::Bifurcation { kind, loops, walls: MeasuredWalls::Unsaid };
     all.extend((1..5).map(|k| (seen(kind, None), grazing[k * grazing.len() / 5])));
     for curve in &truth.curves {
         let seen = seen(curve.kind, Some(curve.loops));
@@ -81,9 +81,9 @@ fn places(truth: &Diagram) -> Vec<(Seen, [f64; 2])> {
 }
 
 /// The places with the noise of one synthetic experiment.
-fn measured(places: &[(Seen, [f64; 2])], errors: [f64; 2], number: u32) -> Vec<Observation> {
+fn measured(places: &[(Behaviour, [f64; 2])], errors: [f64; 2], number: u32) -> Vec<Observation> {
     let mut noise = Noise::of(number);
-    let one = |(line, (seen, at)): (u32, &(Seen, [f64; 2]))| {
+    let one = |(line, (seen, at)): (u32, &(Behaviour, [f64; 2]))| {
         let at = [0, 1].map(|k| at[k] + errors[k] * noise.next());
         Observation { line, at, errors, seen: *seen }
     };
@@ -142,7 +142,7 @@ fn errors_of_constants_from_bifurcations_are_true() {
         let points = measured(&places, [2e-3, 1e-3], number);
         let located = associate(&points, (&begin, None, &[]), &Units::ONE).unwrap();
         let data = located.into_iter().map(|located| Datum::Bifurcation(Box::new(located))).collect();
-        fit(&rig, &START, WINDOW, data, Weight::Full).unwrap()
+        fit(&rig, &START, WINDOW, data, Loss::Full).unwrap()
     };
     assert_errors_are_true(&(0..RIGS).map(one).collect::<Vec<_>>());
 }
@@ -160,7 +160,7 @@ fn errors_of_constants_from_impacts_are_true() {
             Datum::Impacts(Segment { at: *at, struck, impacts, errors, assumed: [1.0; 3] })
         };
         let data = truth.iter().map(segment).collect();
-        fit(&rig, &START, WINDOW, data, Weight::Full).unwrap()
+        fit(&rig, &START, WINDOW, data, Loss::Full).unwrap()
     };
     assert_errors_are_true(&(0..RIGS).map(one).collect::<Vec<_>>());
 }
@@ -168,13 +168,19 @@ fn errors_of_constants_from_impacts_are_true() {
 #[test]
 fn constants_are_found_from_afar_and_tell_the_resonances() {
     let names = ["zeta", "epsilon"].map(str::to_owned);
-    let task = Task { rig: &rig, names: &names, start: &[0.03, 0.8], scope: &scope(), units: Units::ONE };
+    let task = IdentificationTask {
+        rig: &rig,
+        names: &names,
+        start: &[0.03, 0.8],
+        scope: &scope(),
+        units: Units::ONE,
+    };
     let at = [0.4, 0.8];
     let mut noise = Noise::of(1);
     let impacts = noisy(&impacts(at, [0.3, 0.9], 20), &mut noise);
     let impacts =
         (2..).zip(impacts).map(|(line, values)| Impact { line, wall: 1, values, errors: IMPACT_ERRORS });
-    let record = vec![Series { at, impacts: impacts.collect() }];
+    let record = vec![ImpactRecord { at, impacts: impacts.collect() }];
     let points = measured(&places(&diagram(&TRUTH)), [2e-3, 1e-3], 1);
     let (found, identified) = identify(&task, &Measurements { points, record }, &Silent).unwrap();
     for k in 0..2 {
@@ -194,12 +200,13 @@ fn constants_are_found_from_afar_and_tell_the_resonances() {
 /// What is identified from a noisy record whose impacts state these errors.
 fn from_record(errors: [f64; 3]) -> (Fit, Measurements) {
     let names = ["zeta", "epsilon"].map(str::to_owned);
-    let task = Task { rig: &rig, names: &names, start: &START, scope: &scope(), units: Units::ONE };
+    let task =
+        IdentificationTask { rig: &rig, names: &names, start: &START, scope: &scope(), units: Units::ONE };
     let mut noise = Noise::of(2);
     let series = |(at, first, count): &([f64; 2], [f64; 2], usize)| {
         let impacts = noisy(&impacts(*at, *first, *count), &mut noise);
         let impacts = (2..).zip(impacts).map(|(line, values)| Impact { line, wall: 1, values, errors });
-        Series { at: *at, impacts: impacts.collect() }
+        ImpactRecord { at: *at, impacts: impacts.collect() }
     };
     let record = [([0.6, 0.7], [1.0, 0.4], 8), ([0.9, 0.8], [0.5, 0.6], 16)].iter().map(series).collect();
     let measured = Measurements { points: Vec::new(), record };

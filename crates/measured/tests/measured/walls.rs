@@ -5,8 +5,8 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_measured::read::Impact;
 use grazing_measured::{
-    Datum, Fit, FitError, IdentifyError, Measurements, Missing, Observation, Seen, Segment, Series, Task,
-    Walls, Weight, associate, fit, identify,
+    Behaviour, Datum, Fit, FitError, IdentificationTask, IdentifyError, ImpactRecord, Loss, MeasuredWalls,
+    Measurements, Missing, Observation, Segment, associate, fit, identify,
 };
 use grazing_model::motion::Motion;
 use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator, Units};
@@ -151,14 +151,14 @@ fn noisy(hits: &[Hit], noise: &mut Noise) -> Vec<Hit> {
     hits.iter().map(|(stop, hit)| (*stop, [0, 1, 2].map(|k| hit[k] + ERRORS[k] * noise.next()))).collect()
 }
 
-fn series(at: [f64; 2], hits: &[Hit], first_line: u32) -> Series {
+fn series(at: [f64; 2], hits: &[Hit], first_line: u32) -> ImpactRecord {
     let impact = |(line, (stop, values)): (u32, &Hit)| Impact {
         line,
         wall: *stop as u32 + 1,
         values: *values,
         errors: ERRORS,
     };
-    Series { at, impacts: (first_line..).zip(hits).map(impact).collect() }
+    ImpactRecord { at, impacts: (first_line..).zip(hits).map(impact).collect() }
 }
 
 /// What is fitted to noisy runs of a rig, from constants some standard errors away.
@@ -181,7 +181,7 @@ fn fitted(rig: &Between, noise: &mut Noise, free: &[usize], tied: fn(&mut [f64; 
     };
     let start: Vec<f64> = free.iter().map(|place| truth[*place] * 1.01).collect();
     let window = Window { primary: [0.4, 1.4], secondary: [0.4, 1.4] };
-    fit(&with, &start, window, data, Weight::Full).unwrap_or_else(|error| panic!("{rig:?}: {error}"))
+    fit(&with, &start, window, data, Loss::Full).unwrap_or_else(|error| panic!("{rig:?}: {error}"))
 }
 
 /// Asserts of the deviations from the truth of many rigs, in standard errors, that 95 % are within 1.96 and that their
@@ -249,7 +249,11 @@ fn identified(start: &[f64], measured: &Measurements) -> Result<(Fit, Identified
         )
     };
     let scope = &scope();
-    identify(&Task { rig: &rig, names: &names, start, scope, units: Units::ONE }, measured, &Silent)
+    identify(
+        &IdentificationTask { rig: &rig, names: &names, start, scope, units: Units::ONE },
+        measured,
+        &Silent,
+    )
 }
 
 fn scope() -> Scope {
@@ -258,7 +262,7 @@ fn scope() -> Scope {
 }
 
 /// Noisy runs of a rig, of which one is longer than a segment.
-fn record(rig: &Between, number: u32) -> Vec<Series> {
+fn record(rig: &Between, number: u32) -> Vec<ImpactRecord> {
     let noise = &mut Noise::of(number);
     let runs = [
         ([0.9, 0.7], (0, [0.3, 0.9, 0.9 * rig.restitutions[0]]), 14),
@@ -322,7 +326,7 @@ fn a_wrong_wall_in_one_line_is_named() {
 }
 
 /// Places on the curves of the oscillator beside one wall, near its resonance, where motion does not reach as far as another.
-fn places(restitution: f64, wall: u32) -> Vec<(Seen, [f64; 2])> {
+fn places(restitution: f64, wall: u32) -> Vec<(Behaviour, [f64; 2])> {
     let beside = LinearOscillator::new(0.05, restitution, 0.5, 0.7).expect("it is in the domain");
     let located = Diagram::located(&AnyOscillator::new(beside), &scope(), &Silent).expect("nothing stops it");
     let followed = located.follow(&Silent, &|_, _| ());
@@ -330,7 +334,8 @@ fn places(restitution: f64, wall: u32) -> Vec<(Seen, [f64; 2])> {
     let bends = |kind| matches!(kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling);
     let curves = diagram.curves.iter().filter(|curve| bends(curve.kind));
     let of = |curve: &DiagramCurve| {
-        let seen = Seen::Bifurcation { kind: curve.kind, loops: Some(1), walls: Walls::One(wall) };
+        let seen =
+            Behaviour::Bifurcation { kind: curve.kind, loops: Some(1), walls: MeasuredWalls::One(wall) };
         let low = curve
             .curve
             .points
@@ -349,11 +354,14 @@ fn bifurcations_at_each_wall_tell_its_restitution() {
     let measured = |walls: [u32; 2]| {
         let noise = &mut Noise::of(5);
         let places = places(r, walls[0]).into_iter().chain(places(s, walls[1]));
-        let grazing =
-            Seen::Bifurcation { kind: Bifurcation::NonImpactingGrazing, loops: None, walls: Walls::Unsaid };
+        let grazing = Behaviour::Bifurcation {
+            kind: Bifurcation::NonImpactingGrazing,
+            loops: None,
+            walls: MeasuredWalls::Unsaid,
+        };
         let amplitude = |omega: f64| libm::hypot(1.0 - omega * omega, 2.0 * 0.05 * omega);
         let places = places.chain([0.63, 0.7].map(|omega| (grazing, [amplitude(omega), omega])));
-        let one = |(line, (seen, at)): (u32, (Seen, [f64; 2]))| {
+        let one = |(line, (seen, at)): (u32, (Behaviour, [f64; 2]))| {
             let at = [0, 1].map(|k| at[k] + errors[k] * noise.next());
             Observation { line, at, errors, seen }
         };
@@ -376,7 +384,7 @@ fn bifurcations_at_each_wall_tell_its_restitution() {
         let located = associate(&measured(walls), (&seen[0], Some(&seen[1]), &[]), &Units::ONE).unwrap();
         assert!(located.iter().any(|one| one.quantity == "SN of p = 1 at wall 2"));
         let data = located.into_iter().map(|one| Datum::Bifurcation(Box::new(one))).collect();
-        let found = fit(&rig, &start, scope().window, data, Weight::Full).unwrap();
+        let found = fit(&rig, &start, scope().window, data, Loss::Full).unwrap();
         for (k, truth) in truth.into_iter().enumerate() {
             assert!((found.values[k] - truth).abs() < 3.0 * found.errors()[k], "{} {found:?}", NAMES[k]);
             assert!(found.errors()[k] < 0.02, "{} {found:?}", NAMES[k]);

@@ -2,7 +2,7 @@
 
 use super::oscillator::LinearOscillator;
 use super::response::{Stride, multiply};
-use crate::motion::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
+use crate::motion::{BoundedMotion, DerivativeBounds, Enclosure, Kinematics, Walk};
 use crate::state::State;
 use crate::tolerances::MOST_STRIDES;
 
@@ -111,7 +111,7 @@ impl BoundedMotion for LinearMotion {
         let [u, v] = self.forced;
         let square = self.frequency * self.frequency;
         let forced = (u * u + v * v).sqrt() * square;
-        let bounds = Bounds {
+        let bounds = DerivativeBounds {
             acceleration: transient + forced,
             jerk: transient + forced * self.frequency,
             snap: transient + forced * square,
@@ -124,19 +124,19 @@ impl BoundedMotion for LinearMotion {
 struct Amplitudes<'a> {
     motion: &'a LinearMotion,
     horizon: f64,
-    bounds: Bounds,
+    bounds: DerivativeBounds,
 }
 
 impl Enclosure for Amplitudes<'_> {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> DerivativeBounds {
         self.bounds
     }
 
     #[inline]
-    fn bounds_between(&self, from: f64, to: f64) -> Bounds {
+    fn bounds_between(&self, from: f64, to: f64) -> DerivativeBounds {
         // The transient does not grow forwards in time, so these bounds hold for ever.
         let earliest = from.min(to);
-        if earliest >= 0.0 || earliest >= self.horizon { self.bounds } else { Bounds::UNKNOWN }
+        if earliest >= 0.0 || earliest >= self.horizon { self.bounds } else { DerivativeBounds::UNKNOWN }
     }
 
     fn stride(&self) -> f64 {

@@ -1,7 +1,7 @@
 //! A cell of time between two evaluations of a motion: what bounds prove about it, and the events
 //! that it holds.
 
-use super::enclosure::{BoundedMotion, Bounds, Enclosure, Kinematics};
+use super::enclosure::{BoundedMotion, DerivativeBounds, Enclosure, Kinematics};
 use crate::tolerances::{LAST_STEP_TO_EVENT, NARROWEST_CELL, STEPS_TO_EVENT};
 
 /// A local maximum of x(t).
@@ -24,12 +24,12 @@ pub struct Crossing {
 
 /// Two evaluations of a motion; in between only the bounds are known.
 #[derive(Clone, Copy)]
-pub(super) struct Cell {
+pub(super) struct TimeCell {
     start: f64,
     pub(super) first: Kinematics,
     end: f64,
     pub(super) last: Kinematics,
-    bounds: Bounds,
+    bounds: DerivativeBounds,
 }
 
 /// The behaviour of the velocity in a cell, as far as the bounds can prove it.
@@ -42,7 +42,7 @@ pub(super) enum Course {
     Open,
 }
 
-impl Cell {
+impl TimeCell {
     /// The cell between two times, in this order, whose bounds an enclosure has.
     #[inline]
     pub(super) fn within(
@@ -88,13 +88,13 @@ impl Cell {
     }
 
     /// Both halves; `None` if the motion ceases to exist between them.
-    fn halves(&self, motion: &impl BoundedMotion) -> Option<[Cell; 2]> {
+    fn halves(&self, motion: &impl BoundedMotion) -> Option<[TimeCell; 2]> {
         let time = 0.5 * (self.start + self.end);
         let middle = motion.kinematics_at(time);
         let exists = !(middle.position.is_nan() || middle.velocity.is_nan());
         exists.then_some([
-            Cell { end: time, last: middle, ..*self },
-            Cell { start: time, first: middle, ..*self },
+            TimeCell { end: time, last: middle, ..*self },
+            TimeCell { start: time, first: middle, ..*self },
         ])
     }
 

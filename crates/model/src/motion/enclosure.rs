@@ -35,7 +35,7 @@ impl Kinematics {
 
 /// Bounds of |ẍ|, |d³x/dt³| and |d⁴x/dt⁴| on an interval of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct DerivativeBounds {
     /// Bound of |ẍ|.
     pub acceleration: f64,
     /// Bound of |d³x/dt³|.
@@ -44,7 +44,7 @@ pub struct Bounds {
     pub snap: f64,
 }
 
-impl Bounds {
+impl DerivativeBounds {
     /// Bounds where nothing is known, so that nothing can be proved.
     pub(crate) const UNKNOWN: Self = Self::all(f64::INFINITY);
     /// Bounds over an interval of zero length, in which nothing happens.
@@ -87,7 +87,7 @@ pub trait BoundedMotion {
 /// The interval is divided into strides, between which the motion is cheap to evaluate.
 pub trait Enclosure {
     /// Bounds for the whole enclosure, as far as the motion exists.
-    fn bounds(&self) -> Bounds;
+    fn bounds(&self) -> DerivativeBounds;
 
     /// The bound of |ẍ| for the whole enclosure; those of higher derivatives may cost more.
     #[inline]
@@ -97,7 +97,7 @@ pub trait Enclosure {
 
     /// Bounds between two times, in this order; infinite outside the enclosure. An implementation
     /// may return those for the whole enclosure where they are about as good.
-    fn bounds_between(&self, from: f64, to: f64) -> Bounds;
+    fn bounds_between(&self, from: f64, to: f64) -> DerivativeBounds;
 
     /// The length of the longest stride.
     fn stride(&self) -> f64;

@@ -1,6 +1,6 @@
 //! The searches for events, cell by cell.
 
-use super::cell::{Cell, Course, Crossing, Maximum};
+use super::cell::{Course, Crossing, Maximum, TimeCell};
 use super::enclosure::{BoundedMotion, Enclosure, Kinematics, Walk};
 use crate::tolerances::MOST_CELLS;
 
@@ -12,7 +12,7 @@ fn cells_above(
     enclosure: &impl Enclosure,
     horizon: f64,
     level: f64,
-) -> impl Iterator<Item = Cell> {
+) -> impl Iterator<Item = TimeCell> {
     let stride = enclosure.stride();
     // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
     let relevant = level - stride * stride / 8.0 * enclosure.acceleration();
@@ -35,7 +35,7 @@ fn cells_above(
                 let last = here.kinematics();
                 (walk, index, position, known) = (here, cell, next, Some(last));
                 let [start, end] = [cell - 1, cell].map(|strides| enclosure.time_after(strides));
-                return Some(Cell::within(enclosure, [start, end], [first, last]));
+                return Some(TimeCell::within(enclosure, [start, end], [first, last]));
             }
             above = next_above;
         }
@@ -51,7 +51,7 @@ fn cells_above(
         index += 1;
         let last = motion.kinematics_at(horizon);
         let first = known.unwrap_or_else(|| walk.kinematics());
-        last.position.is_finite().then(|| Cell::within(enclosure, [start, horizon], [first, last]))
+        last.position.is_finite().then(|| TimeCell::within(enclosure, [start, horizon], [first, last]))
     })
 }
 
@@ -86,7 +86,7 @@ pub(super) fn local_maxima(motion: &impl BoundedMotion, horizon: f64) -> Vec<Max
 /// [`Motion::highest_maximum`](super::Motion::highest_maximum).
 pub(super) fn highest_maximum(motion: &impl BoundedMotion, horizon: f64) -> Option<Maximum> {
     let enclosure = motion.enclose(horizon);
-    let mut candidates: Vec<Cell> = Vec::with_capacity(8);
+    let mut candidates: Vec<TimeCell> = Vec::with_capacity(8);
     // Where the velocity changes from + to − there is a maximum, at least as high as the cell's
     // ends.
     let mut threshold = highest_seen(&enclosure);
@@ -141,7 +141,7 @@ pub(super) fn first_rest(motion: &impl BoundedMotion, forwards: bool, horizon: f
         if !last.position.is_finite() {
             return None;
         }
-        let cell = Cell::within(&enclosure, [sign * start, sign * end], [first, last]);
+        let cell = TimeCell::within(&enclosure, [sign * start, sign * end], [first, last]);
         if let Some(time) = cell.rest(motion, &mut patience) {
             return Some(time);
         }

@@ -1,19 +1,19 @@
 //! Derivatives of a motion, and bounds of them between two nodes that are proved by interval
 //! arithmetic.
 
-use super::integrator::{Node, Pair};
+use super::integrator::{Node, PositionVelocity};
 use super::interval::Interval;
 use super::jet::{Jet, PLANAR};
 use super::oscillator::{Integrated, SmoothOscillator};
 use super::series::Series;
-use crate::motion::Bounds;
+use crate::motion::DerivativeBounds;
 use crate::scalar::Scalar;
 
 /// The derivatives d²x/dt² and d³x/dt³ at a point of the motion.
 #[inline]
 pub(super) fn derivatives<M: SmoothOscillator>(
     oscillator: &Integrated<M>,
-    [x, y]: Pair<f64>,
+    [x, y]: PositionVelocity<f64>,
     t: f64,
 ) -> [f64; 2] {
     let [mu, eta] = oscillator.parameters.map(Jet::<PLANAR>::constant);
@@ -61,7 +61,7 @@ pub(super) enum Cage {
     /// interval of time.
     Box([Interval; 3], Interval),
     /// Bounds of the derivatives.
-    Bounds(Bounds),
+    Bounds(DerivativeBounds),
 }
 
 impl Cage {
@@ -79,12 +79,14 @@ impl Cage {
         &mut self,
         oscillator: &Integrated<M>,
         [node, next]: [&Node; 2],
-    ) -> Bounds {
+    ) -> DerivativeBounds {
         let bounds = match *self {
             Self::Bounds(bounds) => return bounds,
-            Self::Box(cage, time) => sharp(oscillator, cage, time)
-                .or_else(|| halved(oscillator, node, next, HALVINGS))
-                .unwrap_or(Bounds { acceleration: self.acceleration(), ..Bounds::UNKNOWN }),
+            Self::Box(cage, time) => {
+                sharp(oscillator, cage, time).or_else(|| halved(oscillator, node, next, HALVINGS)).unwrap_or(
+                    DerivativeBounds { acceleration: self.acceleration(), ..DerivativeBounds::UNKNOWN },
+                )
+            }
         };
         *self = Self::Bounds(bounds);
         bounds
@@ -112,7 +114,7 @@ fn halved<M: SmoothOscillator>(
     node: &Node,
     next: &Node,
     halvings: u32,
-) -> Option<Bounds> {
+) -> Option<DerivativeBounds> {
     let halvings = halvings.checked_sub(1)?;
     let time = 0.5 * (node.time + next.time);
     let middle = oscillator.next_node(&Node { last: None, ..*node }, time - node.time)?;
@@ -131,9 +133,9 @@ fn sharp<M: SmoothOscillator>(
     oscillator: &Integrated<M>,
     cage: [Interval; 3],
     time: Interval,
-) -> Option<Bounds> {
+) -> Option<DerivativeBounds> {
     let [jerk, snap] = ranges(oscillator, cage, time).map(|range| range.modulus());
-    let bounds = Bounds { acceleration: cage[2].modulus(), jerk, snap };
+    let bounds = DerivativeBounds { acceleration: cage[2].modulus(), jerk, snap };
     (bounds.acceleration + jerk + snap).is_finite().then_some(bounds)
 }
 

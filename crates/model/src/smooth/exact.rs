@@ -11,7 +11,7 @@ mod propagator;
 
 use std::sync::Arc;
 
-use self::coefficients::Coefficients;
+use self::coefficients::LinearForce;
 pub use self::motion::ExactMotion;
 use self::motion::Formula;
 use super::jet::{FIRST, SECOND};
@@ -26,7 +26,7 @@ use crate::state::{OnWall, State};
 pub struct Exact<M> {
     integrated: Integrated<M>,
     /// The coefficients of the force, if the flow is known in closed form.
-    coefficients: Option<Arc<Coefficients>>,
+    coefficients: Option<Arc<LinearForce>>,
 }
 
 impl<M: SmoothOscillator> Exact<M> {
@@ -36,7 +36,7 @@ impl<M: SmoothOscillator> Exact<M> {
     }
 
     fn of(integrated: Integrated<M>) -> Self {
-        let coefficients = Coefficients::of(&integrated).map(Arc::new);
+        let coefficients = LinearForce::of(&integrated).map(Arc::new);
         Self { integrated, coefficients }
     }
 

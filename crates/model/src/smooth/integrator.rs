@@ -12,12 +12,12 @@ use super::jet::{Jet, PLANAR};
 use super::oscillator::{Accuracy, Integrated, SmoothOscillator};
 use super::stages::{Lanes, Stages};
 use super::tableau::{LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, POWERS, SQUARE, WEIGHTS};
-use crate::motion::Bounds;
+use crate::motion::DerivativeBounds;
 use crate::scalar::Scalar;
 use crate::state::State;
 
 /// Position and velocity.
-pub(super) type Pair<S> = [S; 2];
+pub(super) type PositionVelocity<S> = [S; 2];
 
 /// A step, solved or guessed: its length and the accelerations at the stages.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ pub(super) struct Step {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub(super) time: f64,
-    pub(super) state: Pair<f64>,
+    pub(super) state: PositionVelocity<f64>,
     pub(super) proposal: f64,
     /// The step that led here.
     pub(super) last: Option<Step>,
@@ -178,7 +178,7 @@ impl Step {
 
     /// Position and velocity at the stages.
     #[inline(always)]
-    pub(super) fn stages(&self, [x, y]: Pair<f64>) -> Pair<Stages> {
+    pub(super) fn stages(&self, [x, y]: PositionVelocity<f64>) -> PositionVelocity<Stages> {
         let h = self.length;
         let straight = Stages::constant(x) + Lanes(NODES).scale(h * y);
         let position = straight.plus(h * h, &self.accelerations.through(&SQUARE));
@@ -186,7 +186,7 @@ impl Step {
     }
 
     /// Position and velocity at the end.
-    pub(super) fn end(&self, [x, y]: Pair<f64>) -> Pair<f64> {
+    pub(super) fn end(&self, [x, y]: PositionVelocity<f64>) -> PositionVelocity<f64> {
         let h = self.length;
         let position = x + h * (y + h * self.accelerations.weighted(&POSITION_WEIGHTS));
         [position, y + h * self.accelerations.weighted(&WEIGHTS)]
@@ -203,7 +203,7 @@ impl Step {
 
     /// Bounds of the derivatives of x on the step: those of its polynomial, widened for the part
     /// that the polynomial leaves out.
-    pub(super) fn bounds(&self) -> Bounds {
+    pub(super) fn bounds(&self) -> DerivativeBounds {
         let sizes = self.accelerations.through(&POWERS).0.map(f64::abs);
         let slope = 2.0 / self.length.abs();
         let [mut acceleration, mut jerk, mut snap] = [0.0; 3];
@@ -213,7 +213,7 @@ impl Step {
             jerk += ROOM * size * k * slope;
             snap += ROOM * size * k * (k - 1.0) * slope * slope;
         }
-        Bounds { acceleration, jerk, snap }
+        DerivativeBounds { acceleration, jerk, snap }
     }
 
     /// The size of accelerations where motion at this rate turns the state at which the step
@@ -221,7 +221,7 @@ impl Step {
     ///
     /// An acceleration far below it has no effect, and may be no more than rounding: near rest the
     /// terms of F cancel.
-    fn scale(&self, [x, y]: Pair<f64>, rate: f64) -> f64 {
+    fn scale(&self, [x, y]: PositionVelocity<f64>, rate: f64) -> f64 {
         self.accelerations.modulus() + rate * (y.abs() + rate * x.abs())
     }
 }
@@ -244,7 +244,7 @@ impl<M: SmoothOscillator> Integrated<M> {
 
     /// Solves for the accelerations of a step by Newton's method, and returns F_x and F_y on it;
     /// `None` if the iteration does not converge.
-    fn solve(&self, from: Pair<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
+    fn solve(&self, from: PositionVelocity<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
         let h = step.length;
         let ([mu, eta], times) = (self.parameters.map(Stages::constant), step.times(time));
         let (mut known, mut jets) = (self.model.slopes_at(times, mu, eta), None);
@@ -294,7 +294,7 @@ impl<M: SmoothOscillator> Integrated<M> {
     }
 
     /// The slopes h² F_x and h F_y at the stages of a step.
-    fn slopes(&self, from: Pair<f64>, time: f64, step: &Step) -> [Stages; 2] {
+    fn slopes(&self, from: PositionVelocity<f64>, time: f64, step: &Step) -> [Stages; 2] {
         let h = step.length;
         let parameters = self.parameters.map(Jet::<PLANAR, Stages>::constant);
         let ([x, y], [mu, eta]) = (step.stages(from), parameters);
@@ -305,7 +305,13 @@ impl<M: SmoothOscillator> Integrated<M> {
 
     /// A part of a step that has been solved: it begins at the fraction `begin` of the step and is
     /// as long as the fraction `share`.
-    fn part(&self, from: Pair<f64>, time: f64, step: &Step, [begin, share]: [f64; 2]) -> Option<Step> {
+    fn part(
+        &self,
+        from: PositionVelocity<f64>,
+        time: f64,
+        step: &Step,
+        [begin, share]: [f64; 2],
+    ) -> Option<Step> {
         let length = step.length * share;
         let mut part = Step { length, accelerations: step.guess(begin, length) };
         self.solve(from, time + begin * step.length, &mut part).map(|_| part)
@@ -430,7 +436,7 @@ mod tests {
     }
 
     /// Position and velocity at a time by `count` steps of equal length.
-    fn by_equal_steps(oscillator: &Integrated<Driven>, end: f64, count: u32) -> Pair<f64> {
+    fn by_equal_steps(oscillator: &Integrated<Driven>, end: f64, count: u32) -> PositionVelocity<f64> {
         let length = end / f64::from(count);
         (0..count).fold([-0.4, 0.7], |state, k| {
             let time = length * f64::from(k);

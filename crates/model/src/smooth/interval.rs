@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::scalar::{Coefficient, Function, Scalar, with_plain_numbers};
+use crate::scalar::{Function, Scalar, SeriesCoefficient, with_plain_numbers};
 
 /// All numbers from `lower` to `upper`; with a bound that is NaN, nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,7 +163,7 @@ impl Scalar for Interval {
     }
 }
 
-impl Coefficient for Interval {
+impl SeriesCoefficient for Interval {
     fn derivatives(self, function: Function) -> [Self; 3] {
         function.derivatives(self)
     }

@@ -4,7 +4,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
+use crate::scalar::{Function, Scalar, SeriesCoefficient, entrywise, with_plain_numbers};
 
 /// The variables of jets, by number.
 ///
@@ -51,7 +51,7 @@ pub(super) const PLANAR: usize = 3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jet<const LENGTH: usize, C = f64>(pub(super) [C; LENGTH]);
 
-impl<const LENGTH: usize, C: Coefficient> Jet<LENGTH, C> {
+impl<const LENGTH: usize, C: SeriesCoefficient> Jet<LENGTH, C> {
     /// A variable with its value.
     #[inline(always)]
     pub(super) fn variable(index: usize, value: C) -> Self {
@@ -104,9 +104,9 @@ impl<const LENGTH: usize, C: Coefficient> Jet<LENGTH, C> {
     }
 }
 
-entrywise!([const LENGTH: usize, C: Coefficient] Jet<LENGTH, C>);
+entrywise!([const LENGTH: usize, C: SeriesCoefficient] Jet<LENGTH, C>);
 
-impl<const LENGTH: usize, C: Coefficient> Mul for Jet<LENGTH, C> {
+impl<const LENGTH: usize, C: SeriesCoefficient> Mul for Jet<LENGTH, C> {
     type Output = Self;
 
     #[inline(always)]
@@ -125,7 +125,7 @@ impl<const LENGTH: usize, C: Coefficient> Mul for Jet<LENGTH, C> {
     }
 }
 
-impl<const LENGTH: usize, C: Coefficient> Div for Jet<LENGTH, C> {
+impl<const LENGTH: usize, C: SeriesCoefficient> Div for Jet<LENGTH, C> {
     type Output = Self;
 
     #[inline]
@@ -136,16 +136,16 @@ impl<const LENGTH: usize, C: Coefficient> Div for Jet<LENGTH, C> {
     }
 }
 
-impl<const LENGTH: usize, C: Coefficient> From<C> for Jet<LENGTH, C> {
+impl<const LENGTH: usize, C: SeriesCoefficient> From<C> for Jet<LENGTH, C> {
     #[inline(always)]
     fn from(value: C) -> Self {
         Self::fixed(value)
     }
 }
 
-with_plain_numbers!([const LENGTH: usize, C: Coefficient] Jet<LENGTH, C>);
+with_plain_numbers!([const LENGTH: usize, C: SeriesCoefficient] Jet<LENGTH, C>);
 
-impl<const LENGTH: usize, C: Coefficient> Scalar for Jet<LENGTH, C> {
+impl<const LENGTH: usize, C: SeriesCoefficient> Scalar for Jet<LENGTH, C> {
     #[inline(always)]
     fn constant(value: f64) -> Self {
         Self::fixed(C::constant(value))

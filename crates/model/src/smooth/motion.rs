@@ -6,7 +6,7 @@ use core::cell::RefCell;
 use super::enclosure::{Cage, derivatives, enclose, estimate};
 use super::integrator::{Node, Step};
 use super::oscillator::{Accuracy, Integrated, SmoothOscillator};
-use crate::motion::{BoundedMotion, Bounds, Enclosure, Kinematics, Walk};
+use crate::motion::{BoundedMotion, DerivativeBounds, Enclosure, Kinematics, Walk};
 use crate::state::State;
 use crate::tolerances::MOST_STEPS;
 
@@ -203,17 +203,17 @@ struct Boxes<'a, M> {
 
 impl<M: SmoothOscillator> Boxes<'_, M> {
     /// Bounds between two times, counted away from the start.
-    fn joined_bounds(&self, times: [f64; 2]) -> Bounds {
+    fn joined_bounds(&self, times: [f64; 2]) -> DerivativeBounds {
         let mut course = self.course.borrow_mut();
         let cages = course.cages_between(self.motion.start, times);
-        cages.fold(Bounds::NO_TIME, |all, (cage, nodes)| {
+        cages.fold(DerivativeBounds::NO_TIME, |all, (cage, nodes)| {
             all.joined(&cage.bounds(&self.motion.oscillator, nodes))
         })
     }
 }
 
 impl<M: SmoothOscillator> Enclosure for Boxes<'_, M> {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> DerivativeBounds {
         self.joined_bounds([0.0, self.horizon])
     }
 
@@ -223,10 +223,10 @@ impl<M: SmoothOscillator> Enclosure for Boxes<'_, M> {
         cages.fold(0.0, |largest, (cage, _)| cage.acceleration().max(largest))
     }
 
-    fn bounds_between(&self, from: f64, to: f64) -> Bounds {
+    fn bounds_between(&self, from: f64, to: f64) -> DerivativeBounds {
         let reached = from.abs() <= to.abs() && to.abs() <= self.horizon;
         if !reached || !core::ptr::eq(self.course, self.motion.course(to)) {
-            return Bounds::UNKNOWN;
+            return DerivativeBounds::UNKNOWN;
         }
         self.joined_bounds([from.abs(), to.abs()])
     }

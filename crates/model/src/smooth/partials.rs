@@ -2,7 +2,7 @@
 
 use super::jet::variable::{PRIMARY, SECONDARY, VELOCITY};
 use super::jet::{FIRST, Jet, PAIRS, SECOND, VARIABLES};
-use crate::scalar::{Coefficient, Scalar};
+use crate::scalar::{Scalar, SeriesCoefficient};
 
 /// The number of arguments of a force, and of its derivatives of up to second order, itself included.
 const ARGUMENTS: usize = 5;
@@ -50,7 +50,7 @@ const OF_VARIABLES: [usize; VARIABLES] = {
     arguments
 };
 
-impl<const LENGTH: usize, C: Coefficient> Jet<LENGTH, C> {
+impl<const LENGTH: usize, C: SeriesCoefficient> Jet<LENGTH, C> {
     /// A force in x, y, μ and η where the time depends on μ and η.
     pub(super) fn of_force(Partials(known): &Partials<C>, time: &Jet<LENGTH>) -> Self {
         let with_time = |a: usize| known[partial(&[a.min(TIME), a.max(TIME)])];

@@ -2,15 +2,15 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
+use crate::scalar::{Function, Scalar, SeriesCoefficient, entrywise, with_plain_numbers};
 
 /// The series c₀ + c₁ t + c₂ t² + c₃ ε, with products of t and ε left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Series<C>(pub(super) [C; 4]);
 
-entrywise!([C: Coefficient] Series<C>);
+entrywise!([C: SeriesCoefficient] Series<C>);
 
-impl<C: Coefficient> Mul for Series<C> {
+impl<C: SeriesCoefficient> Mul for Series<C> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -19,7 +19,7 @@ impl<C: Coefficient> Mul for Series<C> {
     }
 }
 
-impl<C: Coefficient> Div for Series<C> {
+impl<C: SeriesCoefficient> Div for Series<C> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
@@ -30,9 +30,9 @@ impl<C: Coefficient> Div for Series<C> {
     }
 }
 
-with_plain_numbers!([C: Coefficient] Series<C>);
+with_plain_numbers!([C: SeriesCoefficient] Series<C>);
 
-impl<C: Coefficient> Scalar for Series<C> {
+impl<C: SeriesCoefficient> Scalar for Series<C> {
     fn constant(value: f64) -> Self {
         let zero = C::constant(0.0);
         Self([C::constant(value), zero, zero, zero])

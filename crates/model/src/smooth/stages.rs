@@ -2,7 +2,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
+use crate::scalar::{Function, Scalar, SeriesCoefficient, entrywise, with_plain_numbers};
 
 /// Numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,7 +116,7 @@ impl<const COUNT: usize> Scalar for Lanes<COUNT> {
     }
 }
 
-impl<const COUNT: usize> Coefficient for Lanes<COUNT> {
+impl<const COUNT: usize> SeriesCoefficient for Lanes<COUNT> {
     fn derivatives(self, function: Function) -> [Self; 3] {
         let mut all = [self; 3];
         for i in 0..COUNT {

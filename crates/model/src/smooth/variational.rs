@@ -13,7 +13,7 @@
 //! its derivatives in position, velocity and parameters, and all else is arithmetic.
 
 use super::factors::Factors;
-use super::integrator::{Pair, Step};
+use super::integrator::{PositionVelocity, Step};
 use super::jet::variable::{POSITION, PRIMARY, VELOCITY};
 use super::jet::{FIRST, Jet, PAIRS, SECOND, VARIABLES};
 use super::oscillator::{Integrated, SmoothOscillator};
@@ -45,14 +45,14 @@ struct Variation {
 /// A derivative of the accelerations, positions and velocities at the stages.
 struct Response {
     accelerations: Stages,
-    states: Pair<Stages>,
+    states: PositionVelocity<Stages>,
 }
 
 impl Variation {
     /// The derivative whose value at the beginning of the step is (x, y), for this right-hand side
     /// of the system.
     #[inline(always)]
-    fn response(&self, [x, y]: Pair<f64>, right: Stages) -> Response {
+    fn response(&self, [x, y]: PositionVelocity<f64>, right: Stages) -> Response {
         let (h, [by_position, by_velocity]) = (self.length, self.slopes);
         let [straight, level] = [Stages::constant(x) + Lanes(NODES).scale(h * y), Stages::constant(y)];
         let accelerations = self.factors.solve(right + by_position * straight + by_velocity * level);
@@ -63,7 +63,7 @@ impl Variation {
 
     /// The derivative at the end of the step.
     #[inline(always)]
-    fn end(&self, [x, y]: Pair<f64>, accelerations: &Stages) -> Pair<f64> {
+    fn end(&self, [x, y]: PositionVelocity<f64>, accelerations: &Stages) -> PositionVelocity<f64> {
         let h = self.length;
         let position = x + h * (y + h * accelerations.weighted(&POSITION_WEIGHTS));
         [position, y + h * accelerations.weighted(&WEIGHTS)]
@@ -75,11 +75,11 @@ impl<M: SmoothOscillator> Integrated<M> {
     #[inline(never)]
     pub(super) fn jets_after<const LENGTH: usize>(
         &self,
-        from: &Pair<Jet<LENGTH>>,
+        from: &PositionVelocity<Jet<LENGTH>>,
         time: f64,
         step: &Step,
         surroundings: &Surroundings<LENGTH>,
-    ) -> Pair<Jet<LENGTH>> {
+    ) -> PositionVelocity<Jet<LENGTH>> {
         let value = [from[0].value(), from[1].value()];
         let force = self.jets_at_stages(value, time, step, surroundings);
         let h = step.length;
@@ -87,7 +87,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
         let variation = Variation { length: h, slopes, factors };
         let mut end = *from;
-        let mut set = |entry: usize, [x, y]: Pair<f64>| {
+        let mut set = |entry: usize, [x, y]: PositionVelocity<f64>| {
             end[0].0[entry] = x;
             end[1].0[entry] = y;
         };
@@ -114,7 +114,7 @@ impl<M: SmoothOscillator> Integrated<M> {
     #[inline(always)]
     fn jets_at_stages<const LENGTH: usize>(
         &self,
-        from: Pair<f64>,
+        from: PositionVelocity<f64>,
         time: f64,
         step: &Step,
         surroundings: &Surroundings<LENGTH>,
@@ -148,7 +148,7 @@ impl<M: SmoothOscillator> Integrated<M> {
 #[inline(always)]
 fn bends<const LENGTH: usize>(
     force: &Jet<LENGTH, Stages>,
-    first: &[Pair<Stages>; VARIABLES],
+    first: &[PositionVelocity<Stages>; VARIABLES],
 ) -> [Stages; PAIRS.len()] {
     let zero = Stages::constant(0.0);
     // Change of the gradient of F in the direction of each variable.

@@ -144,7 +144,7 @@ addEventListener("load", async () => {
       press("0");
     }
     // Dots of a cloud lie where they belong however far one zooms, not in the bins in which they are drawn on the whole figure.
-    const cloud = (await readTables(`data-${figure.id}`)).find((table) => table.name.endsWith("_attractor"));
+    const cloud = (await readTables(`data-${figure.id}`)).find((table) => table.isCloud);
     const panel = cloud && readPanels(svg).find(({ tables }) => tables?.includes(cloud.name));
     const owner = panel?.only && cloud.column(panel.only[0]);
     const spotOf = (row) => panel.toSheet(...panel.columns.map((column) => Number(cloud.column(column)[row])));

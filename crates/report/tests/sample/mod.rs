@@ -6,18 +6,20 @@ use std::sync::LazyLock;
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::ledger::Ledger;
 use grazing_claims::outcome::{Measure, Outcome};
-use grazing_claims::published::{Comparison, Published};
+use grazing_claims::published::{Published, PublishedComparison};
 use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_drawing::{Bounds, Element, PanelMark, Path, Sheet};
 use grazing_input::Description;
-use grazing_report::{FigureEntry, FileDigest, Manifest, OscillatorEntry, Part, Report, TableOutput};
+use grazing_report::{
+    FigureEntry, FiguresAndTables, FileDigest, Manifest, OscillatorEntry, Report, TableOutput,
+};
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Cell, Column, Frame, Names, Table, Title, Tone, UnitNames, columns};
 use grazing_theorems::LinearOscillator;
-use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity, Theorem};
+use grazing_theorems::hypothesis::{Hypothesis, ImposedCondition, Quantity, Theorem};
 use grazing_unfold::simulation::ReturnOutcome;
 use grazing_unfold::unfolded::{AtResonance, CurveFinding, Curves};
 use grazing_unfold::verdict::Coefficient;
@@ -68,7 +70,10 @@ fn findings() -> Vec<Finding<'static>> {
     let verdicts = [
         ClaimVerdict::Measured(Outcome::new(held, 400, "points of the trapesium")),
         ClaimVerdict::Measured(Outcome::new(cases(12), 12, "cases").against_print(cases(0))),
-        ClaimVerdict::Numbers(vec![Comparison { published: &PUBLISHED.values[0], computed: Some(0.501) }]),
+        ClaimVerdict::Numbers(vec![PublishedComparison {
+            published: &PUBLISHED.values[0],
+            computed: Some(0.501),
+        }]),
         ClaimVerdict::Broken(HOSTILE.to_owned()),
         ClaimVerdict::Unchecked(HOSTILE.to_owned()),
     ];
@@ -204,7 +209,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         hypotheses: vec![Hypothesis {
             quantity: Quantity::OffDiagonalTimesSquareRootFactor,
             value,
-            condition: Condition::Positive,
+            condition: ImposedCondition::Positive,
         }],
         curves,
     };
@@ -263,13 +268,13 @@ pub(crate) fn report() -> Report<'static> {
             title: HOSTILE.to_owned().into(),
             tables: vec![sweep()],
         }],
-        beyond: Part {
+        beyond: FiguresAndTables {
             tables: vec![TableOutput {
                 name: "open".to_owned(),
                 title: HOSTILE.to_owned().into(),
                 tables: Vec::new(),
             }],
-            ..Part::default()
+            ..FiguresAndTables::default()
         },
         published: PUBLISHED.compare(&BTreeMap::from([("a".to_owned(), 0.501)])),
         claims: findings(),

@@ -14,7 +14,7 @@ use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 use crate::figure::prelude::*;
 use crate::parameters::contains;
 use crate::parameters::limits::{AROUND_ZERO, around_zero};
-use crate::space::{Drawn, Space, VIEW, View, axes, line, oscillator, outline, recoil, trajectory};
+use crate::space::{Drawn, Projection, VIEW, Viewpoint, axes, line, oscillator, outline, recoil, trajectory};
 
 /// The positions x that the axis of x spans; nothing else depends on it.
 const AXIS: [f64; 2] = [-1.0, 0.6];
@@ -35,7 +35,7 @@ keys! {
         /// The velocities y that the shown part of Sigma reaches.
         velocity: [f64; 2] = around_zero(), AROUND_ZERO;
         /// The view.
-        view: View = table(), VIEW;
+        view: Viewpoint = table(), VIEW;
         /// The orbits.
         orbits: Vec<Arrival> = tables(1..=MOST_ARRIVALS),
             "[[fig01.orbits]] must be one to eight tables, one for each orbit";
@@ -94,7 +94,7 @@ impl StudyFigure for Figure1 {
     /// number of the orbit, and Σ. An orbit that does not reach the wall where it should is an error.
     fn compute(&self, _: &Study) -> Result<Scene, StudyError> {
         let oscillator = self.oscillator;
-        let space = Space::new(&self.view, None);
+        let space = Projection::new(&self.view, None);
         let (mut curves, mut points) = (Drawn::new(&space), Vec::new());
         for (number, arrival) in (1..).zip(&self.orbits) {
             let from = beginning(&oscillator, arrival);
@@ -204,7 +204,7 @@ fn unreachable_arrival(arrival: &Arrival) -> StudyError {
     ))
 }
 
-fn surfaces(space: &Space, velocity: [f64; 2]) -> Drawn<'_, SurfaceKind> {
+fn surfaces(space: &Projection, velocity: [f64; 2]) -> Drawn<'_, SurfaceKind> {
     let mut drawn = Drawn::new(space);
     for (kind, end) in [(SurfaceKind::Incoming, velocity[1]), (SurfaceKind::Outgoing, velocity[0])] {
         let corners = [(0.0, 0.0), (end, 0.0), (end, TAU), (0.0, TAU)];

@@ -1,7 +1,7 @@
 //! Figure 3 (fig:Ba): the return map P_global on Π and the grazing periodic solution Γ.
 //!
 //! The phase is an angle here, so that Γ closes and a point of Π and its image lie on the same Π
-//! (`Space`).
+//! (`Projection`).
 
 use core::f64::consts::TAU;
 
@@ -17,7 +17,7 @@ use crate::figure::prelude::*;
 use crate::parameters::limits::{
     AROUND_ZERO, FREQUENCIES, FREQUENCY, ZETA, around_zero, damping_ratio, encloses, strictly_contains,
 };
-use crate::space::{Drawn, Space, VIEW, View, line, outline, trajectory};
+use crate::space::{Drawn, Projection, VIEW, Viewpoint, line, outline, trajectory};
 
 /// The coefficient of restitution, which does not matter: P_global ignores impacts.
 const ELASTIC: f64 = 1.0;
@@ -52,7 +52,7 @@ keys! {
         /// The phase z - z_graz at which the axes of x and y are drawn, in radians.
         axes: f64 = number(0.0..=TAU), "the phase of the axes must lie between 0 and 2 pi";
         /// The view.
-        view: View = table(), VIEW;
+        view: Viewpoint = table(), VIEW;
     }
 }
 
@@ -82,7 +82,7 @@ impl StudyFigure for Figure3 {
         let grazing = theory.grazing(self.frequency)?;
         let oscillator = LinearOscillator::new(self.zeta, ELASTIC, grazing.amplitude(), self.frequency)?;
         let origin = grazing.phase();
-        let space = Space::new(&self.view, Some([self.radius, origin]));
+        let space = Projection::new(&self.view, Some([self.radius, origin]));
 
         let [x, phase] = self.start;
         let start = State::at_rest(x, origin + phase);

@@ -65,7 +65,7 @@ tables! {
         /// curve ends on its top side.
         curves: BoundaryPoint = "fig04_curves", "a point of a curve",
         /// The point is the grazing bifurcation of Figure 2.
-        points: Star = "fig04_points", "a point that is marked",
+        points: Star = "fig04_points", "a point that is marked" as Points,
     }
 }
 

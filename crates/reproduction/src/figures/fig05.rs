@@ -86,10 +86,10 @@ tables! {
     UnfoldingSketch {
         /// The curves are the line of grazing bifurcations and the quadratic SN and PD curves.
         curves: UnfoldingPoint = "fig05_curves", "a point of a curve",
-        points: UnfoldingResonance = "fig05_points", "the resonance",
+        points: UnfoldingResonance = "fig05_points", "the resonance" as Points,
         /// The regions are those where the non-impacting solution is stable, where an MPS is, and where
         /// both are.
-        regions: UnfoldingVertex = "fig05_regions", "a vertex of a region",
+        regions: UnfoldingVertex = "fig05_regions", "a vertex of a region" as Areas,
         ;
         /// The ranges of μ on the horizontal axis and of η on the vertical one.
         frame: Frame,

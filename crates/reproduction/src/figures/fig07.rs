@@ -3,7 +3,7 @@
 pub(crate) mod diagram;
 
 use grazing_drawing::{Heading, draw_diagram};
-use grazing_results::plane::{PlaneDiagram, Section};
+use grazing_results::plane::{DiagramLine, PlaneDiagram};
 use grazing_results::{Names, brief};
 use grazing_unfold::regions::{Doubt, Region};
 
@@ -28,7 +28,7 @@ impl StudyFigure for Figure7 {
     fn compute(&self, study: &Study) -> Result<PlaneDiagram, StudyError> {
         let panels = study.parameters.section::<Figure8>().map_err(StudyError::from);
         let panels = panels.and_then(|figure| figure.panels(study)).unwrap_or_default();
-        let section = study.parameters.section::<Figure2>().ok().map(|fig02| Section {
+        let section = study.parameters.section::<Figure2>().ok().map(|fig02| DiagramLine {
             ends: fig02.across.value.map(|amplitude| (amplitude, fig02.frequency)),
             name: "Fig. 2".to_owned(),
             thin: false,

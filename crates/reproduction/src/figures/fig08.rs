@@ -10,7 +10,7 @@ use grazing_drawing::{Heading, draw_magnifications};
 use grazing_results::Names;
 use grazing_results::plane::{Magnifications, MagnifiedPanel};
 use grazing_unfold::magnification::{self, magnify, window_about};
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 use rayon::prelude::*;
 
 use super::fig07::diagram::not_followed;
@@ -19,11 +19,11 @@ use crate::figure::prelude::*;
 use grazing_unfold::plane;
 
 use section::MOST_PANELS;
-pub use section::{Figure8, Near, Panel};
+pub use section::{Figure8, MagnifiedResonance, NearWindow};
 
 /// A panel whose resonance is in the diagram.
 struct Shown<'a> {
-    resonance: &'a Resonance,
+    resonance: &'a FoundResonance,
     point: &'a ResonantGrazingPoint,
     window: Window,
 }
@@ -88,7 +88,7 @@ impl Figure8 {
     pub(super) fn panels(&self, study: &Study) -> Result<Vec<MagnifiedPanel>, StudyError> {
         let theory = study.parameters.oscillator()?;
         let panel = |(panel, shown): (u32, &Shown<'_>)| {
-            let &Shown { resonance: &Resonance { loops, n, .. }, window, .. } = shown;
+            let &Shown { resonance: &FoundResonance { loops, n, .. }, window, .. } = shown;
             let coefficients = closed_form_coefficients(&theory.resonance(loops, n)?);
             Ok(MagnifiedPanel { panel, frame: window.into(), loops, wall: 0, n: None, coefficients })
         };

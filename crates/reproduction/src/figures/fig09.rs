@@ -14,7 +14,7 @@ use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 use crate::figure::prelude::*;
 use crate::parameters::contains;
 use crate::parameters::limits::{AROUND_ZERO, around_zero, range};
-use crate::space::{Drawn, Space, VIEW, View, axes, line, oscillator, outline, recoil, trajectory};
+use crate::space::{Drawn, Projection, VIEW, Viewpoint, axes, line, oscillator, outline, recoil, trajectory};
 
 /// The greatest number of loops that can be distinguished near the wall.
 const MOST_LOOPS: u32 = 3;
@@ -36,7 +36,7 @@ keys! {
         phase: [f64; 2] = range().such(|[lower, upper]| upper - lower <= TAU),
             "the phases must be a range [lower, upper] with lower < upper, not wider than 2 pi";
         /// The view.
-        view: View = table(), VIEW;
+        view: Viewpoint = table(), VIEW;
     }
 }
 
@@ -67,7 +67,7 @@ impl StudyFigure for Figure9 {
         let theory =
             grazing_theorems::LinearOscillator::new(oscillator.damping_ratio(), oscillator.restitution())?;
         let origin = theory.grazing(oscillator.frequency())?.phase();
-        let space = Space::new(&self.view, None);
+        let space = Projection::new(&self.view, None);
 
         let failed = |reason: MapError| StudyError::Failed(format!("figure 9: {reason}"));
         // The virtual point of a state on the wall, and the time to it.
@@ -182,7 +182,7 @@ fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: 
     }
 }
 
-fn surfaces<'a>(space: &'a Space, shown: &Figure9, origin: f64) -> Drawn<'a, SurfaceKind> {
+fn surfaces<'a>(space: &'a Projection, shown: &Figure9, origin: f64) -> Drawn<'a, SurfaceKind> {
     let Figure9 { position, velocity, .. } = *shown;
     let phase = shown.phase.map(|z| origin + z);
     let mut drawn = Drawn::new(space);

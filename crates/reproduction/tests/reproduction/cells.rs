@@ -4,15 +4,15 @@
 use std::sync::OnceLock;
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
-use grazing_continuation::fit::{Estimate, FitError, Measurement};
+use grazing_continuation::fit::{CoefficientError, Estimate, Measurement};
 use grazing_model::ImpactOscillator;
 use grazing_model::phase::centred;
 use grazing_model::smooth::Stop;
-use grazing_reproduction::Coefficients;
+use grazing_reproduction::ComparedCoefficients;
 use grazing_results::columns::*;
 use grazing_results::{Cell, Column, Row, Table, Tables};
 use grazing_theorems::auxiliary::resonance_boundary;
-use grazing_theorems::hypothesis::Condition;
+use grazing_theorems::hypothesis::ImposedCondition;
 use grazing_theorems::unfolding::StabilityCoefficients;
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 use grazing_unfold::progress::Silent;
@@ -255,10 +255,10 @@ fn curves_points_regions_and_hypotheses_are_those_of_the_diagram() {
         for hypothesis in asked {
             let value = hypothesis.value;
             let holds = match hypothesis.condition {
-                Condition::AtLeast(least) => value >= f64::from(least),
-                Condition::Positive => value > 0.0,
-                Condition::NonZero => value != 0.0,
-                Condition::Zero { tolerance } => value.abs() <= tolerance,
+                ImposedCondition::AtLeast(least) => value >= f64::from(least),
+                ImposedCondition::Positive => value > 0.0,
+                ImposedCondition::NonZero => value != 0.0,
+                ImposedCondition::Zero { tolerance } => value.abs() <= tolerance,
             };
             let statement = hypothesis.statement().to_string();
             let [l, t] = dimension_of_hypothesis(&Cell::from(statement.clone()));
@@ -385,7 +385,7 @@ fn coefficients_and_simulations_stand_in_their_own_cells() {
 
 #[test]
 fn the_papers_coefficients_stand_in_their_own_cells() {
-    let row = Coefficients {
+    let row = ComparedCoefficients {
         loops: 2,
         n: 5,
         frequency: 0.75,
@@ -415,11 +415,12 @@ fn the_papers_coefficients_stand_in_their_own_cells() {
         PD_VERDICT: "not measurable",
         PD_REASON: pd.verdict().reason(),
     };
-    assert_row("coefficients", Coefficients::COLUMNS, &row.cells(), &wanted);
+    assert_row("coefficients", ComparedCoefficients::COLUMNS, &row.cells(), &wanted);
     assert!(row.contradict());
-    let agreeing = Coefficient { fit: Err(FitError::NotFinished), ..sn };
+    let agreeing = Coefficient { fit: Err(CoefficientError::NotFinished), ..sn };
     assert!(
-        !Coefficients { measured: Pair { saddle_node: agreeing, period_doubling: pd }, ..row }.contradict()
+        !ComparedCoefficients { measured: Pair { saddle_node: agreeing, period_doubling: pd }, ..row }
+            .contradict()
     );
     // The study's own contribution: closed forms beside the resonance of the same p and n.
     let rows = &made().coefficients;

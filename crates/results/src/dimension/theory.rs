@@ -2,7 +2,7 @@
 
 use grazing_continuation::curve::Window;
 use grazing_continuation::fit::Measurement;
-use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
+use grazing_theorems::hypothesis::{Hypothesis, ImposedCondition, Quantity};
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 
 use super::{Dimension, Dimensioned};
@@ -71,7 +71,7 @@ impl Dimensioned for Hypothesis {
             | Quantity::PeriodDoublingStability => "1",
         });
         visit(dimension, &mut self.value);
-        if let Condition::Zero { tolerance } = &mut self.condition {
+        if let ImposedCondition::Zero { tolerance } = &mut self.condition {
             visit(dimension, tolerance);
         }
     }

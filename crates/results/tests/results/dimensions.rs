@@ -7,7 +7,7 @@ use grazing_results::measured::MeasuredPoint;
 use grazing_results::plane::{Magnifications, MagnifiedPanel, OnCurve, PlanePoint};
 use grazing_results::resonance::Quantities;
 use grazing_results::{Dimension, Dimensioned, Frame, Row};
-use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
+use grazing_theorems::hypothesis::{Hypothesis, ImposedCondition, Quantity};
 use grazing_theorems::spectrum::LinearisedMap;
 use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding};
 use nalgebra::{Matrix2, Vector2};
@@ -70,12 +70,12 @@ fn a_word_that_is_no_unit_is_refused() {
 
 #[test]
 fn a_hypothesis_holds_or_not_in_any_units() {
-    let zero = Condition::Zero { tolerance: 1e-6 };
+    let zero = ImposedCondition::Zero { tolerance: 1e-6 };
     for (value, condition, holds) in [
         (5e-7, zero, true),
         (-2e-6, zero, false),
-        (3e-9, Condition::Positive, true),
-        (-3e9, Condition::NonZero, true),
+        (3e-9, ImposedCondition::Positive, true),
+        (-3e9, ImposedCondition::NonZero, true),
     ] {
         let hypothesis = Hypothesis { quantity: Quantity::OffDiagonal, value, condition };
         for length in [1e-6, 1.0, 1e6] {

@@ -17,7 +17,7 @@ use grazing_results::readings::*;
 use grazing_results::resonance::*;
 use grazing_results::space::{Mark, MarkKind};
 use grazing_results::{Cell, Dimensioned, Row, Stability, VARIED};
-use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
+use grazing_theorems::hypothesis::{Hypothesis, ImposedCondition, Quantity};
 use proptest::array::uniform4;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -52,7 +52,7 @@ samples! {
     CurveSource = CurveSource::Quadratic,
     Degeneracy = Degeneracy::Meeting,
     FoundBy = FoundBy::Search,
-    Hypothesis = Hypothesis { quantity: Quantity::Detuning, value: 1.0, condition: Condition::Positive },
+    Hypothesis = Hypothesis { quantity: Quantity::Detuning, value: 1.0, condition: ImposedCondition::Positive },
     MarkKind = MarkKind::Impact,
     PortraitKind = PortraitKind::Attractor,
     Property = Property::ImpactVelocity(1.0),
@@ -60,7 +60,7 @@ samples! {
     SeenKind = SeenKind::NonImpacting,
     Stability = Stability::Stable,
     Sweep = Sweep::Random,
-    Walls = Walls(vec![1, 2]),
+    WallSequence = WallSequence(vec![1, 2]),
 }
 
 /// Declares the list of all rows, each with its fields.
@@ -90,12 +90,12 @@ all_rows! {
     AttractorPoint { diagram, secondary, primary, x }
     PortraitPoint { diagram, portrait, loops, secondary, primary, kind, time, x, y }
     Member { varied, resonances, points, missing }
-    Resonance {
+    FamilyResonance {
         varied, loops, wall, n, curve, found_by, secondary, primary, phase, coefficients, measured,
         sn_verdict, pd_verdict, quantities, pd_criticality, holds, failing,
     }
-    Point { varied, kind, loops, wall, n, secondary, primary, impact_velocity }
-    CurvePoint { varied, loops, wall, n, curve, arc, secondary, primary, coefficients, end }
+    FamilyPoint { varied, kind, loops, wall, n, secondary, primary, impact_velocity }
+    FamilyCurvePoint { varied, loops, wall, n, curve, arc, secondary, primary, coefficients, end }
     Degenerate { varied, loops, wall, n, curve, quantity, meaning, secondary, primary }
     MeasuredPoint {
         line, secondary, secondary_error, primary, primary_error, kind, seen, agreement, theory,
@@ -123,7 +123,7 @@ all_rows! {
         secondary, primary, impact_velocity, impact_phase, trace, determinant, max_interior_x,
         stable, admissible, arc, lost,
     }
-    Vertex { secondary, primary, ring, reason }
+    RegionCorner { secondary, primary, ring, reason }
     PlanePoint { kind, loops, wall, n, at }
     OwnPoint { name, property, loops, at }
     SpecialPoint { kind, loops, wall, n, secondary, primary }

@@ -1,6 +1,6 @@
 //! Solutions of more loops at a one-loop resonance. Not in the paper.
 
-use grazing_theorems::iterated::{Boundary, IteratedResonance, last_visit_margin};
+use grazing_theorems::iterated::{EndEvent, IteratedResonance, last_visit_margin};
 use grazing_theorems::{LimitMap, LinearOscillator, Side};
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -95,14 +95,14 @@ fn two_loops_leave_every_resonance_and_more_those_with_a_small_sigma() {
             assert_eq!(found.side, Side::Positive);
             let (k, power) = (f64::from(loops), libm::pow(sigma, f64::from(loops)));
             let (first, sign) = match sigma > 0.0 {
-                true => (Boundary::PeriodDoubling, 1.0),
-                false => (Boundary::SaddleNode, -1.0),
+                true => (EndEvent::PeriodDoubling, 1.0),
+                false => (EndEvent::SaddleNode, -1.0),
             };
             assert_eq!(found.slowest.boundary, first);
             let room = 1.0 - sign * epsilon * power;
             assert_close(found.slowest.velocity_slope, sign * k * power / sigma / (room * room), 1e-10);
             let last = found.fastest.expect("a visit touches the wall");
-            assert_eq!(last.boundary, Boundary::Visit(loops - 1));
+            assert_eq!(last.boundary, EndEvent::Visit(loops - 1));
             if loops == 2 && sigma < 0.0 {
                 let width = resonance.coefficient(&last) - resonance.coefficient(&found.slowest);
                 let [up, down] = [1.0 + epsilon * epsilon * sigma * power, 1.0 + epsilon * power];
@@ -145,7 +145,7 @@ fn one_loop_is_the_case_of_theorem_2_4() {
         for solutions in emerging {
             assert_eq!(solutions.fastest, None);
             let slope = match solutions.slowest.boundary {
-                Boundary::SaddleNode => point.saddle_node_velocity_slope(),
+                EndEvent::SaddleNode => point.saddle_node_velocity_slope(),
                 _ => point.period_doubling_velocity_slope(),
             };
             assert_close(solutions.slowest.velocity_slope, slope, 1e-13);
@@ -187,12 +187,12 @@ fn two_loop_regions_leave_every_one_loop_resonance_of_the_paper_s_oscillator() {
         let emerging = IteratedResonance::new(&resonance(n), 2).emerging();
         let [solutions] = emerging.as_slice() else { panic!("n = {n}: {emerging:?}") };
         let fastest = solutions.fastest.expect("the visit touches the wall");
-        assert_eq!(fastest.boundary, Boundary::Visit(1));
+        assert_eq!(fastest.boundary, EndEvent::Visit(1));
         let [slow, fast] = [solutions.slowest, fastest].map(|bound| bound.velocity_slope);
         // Slivers for odd n, between SN and GZ; wide regions for even n, between PD and GZ.
         let (boundary, side, wide) = match n % 2 {
-            1 => (Boundary::SaddleNode, Side::Positive, 0.0..0.1),
-            _ => (Boundary::PeriodDoubling, Side::Negative, 1.0..3.0),
+            1 => (EndEvent::SaddleNode, Side::Positive, 0.0..0.1),
+            _ => (EndEvent::PeriodDoubling, Side::Negative, 1.0..3.0),
         };
         assert_eq!((solutions.slowest.boundary, solutions.side), (boundary, side));
         assert!(wide.contains(&(fast / slow - 1.0)), "n = {n}: {slow} to {fast}");

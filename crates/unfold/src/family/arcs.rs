@@ -23,11 +23,11 @@ use grazing_continuation::regula_falsi::zero_between;
 use grazing_model::motion::Motion;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
-use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
+use grazing_theorems::hypothesis::{Hypothesis, ImposedCondition, Quantity};
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use nalgebra::{Matrix4, Vector3, Vector4};
 
-use crate::resonances::Resonance;
+use crate::resonances::FoundResonance;
 use crate::tolerances::BETWEEN_RESONANCES;
 use crate::window_edge::on_the_edge;
 use crate::{Diagram, Scope};
@@ -200,7 +200,7 @@ impl Path<'_> {
         (value.abs() <= POLE * size).then_some(point)
     }
 
-    fn follow(&self, index: usize, resonance: &Resonance, all: &[Resonance]) -> Option<Arc> {
+    fn follow(&self, index: usize, resonance: &FoundResonance, all: &[FoundResonance]) -> Option<Arc> {
         let orbit = resonance.located.orbit();
         let place = self.scope.place(orbit);
         let start = Vector4::new(place[0], place[1], place[2], 0.0);
@@ -246,7 +246,7 @@ impl Path<'_> {
             if let Some(end) = end {
                 arc.end = match end {
                     ArcEnd::Back(_) => {
-                        let home = |other: &Resonance| {
+                        let home = |other: &FoundResonance| {
                             other.loops == self.loops && self.same(&after, other.located.orbit())
                         };
                         ArcEnd::Back(all.iter().position(home))
@@ -353,7 +353,8 @@ fn asked(point: &ResonantPoint) -> Vec<Hypothesis> {
         Ok(theorem) => theorem.hypotheses().to_vec(),
         Err(violated) => violated.hypotheses,
     };
-    hypotheses.retain(|asked| matches!(asked.condition, Condition::Positive | Condition::NonZero));
+    hypotheses
+        .retain(|asked| matches!(asked.condition, ImposedCondition::Positive | ImposedCondition::NonZero));
     hypotheses
 }
 

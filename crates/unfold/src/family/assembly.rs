@@ -3,18 +3,18 @@
 use core::f64::consts::TAU;
 
 use grazing_input::Description;
-use grazing_results::family::{Family, Panel, Resonance, Shows};
+use grazing_results::family::{Family, FamilyPanel, FamilyResonance, Shows};
 use grazing_results::{Frame, span};
 
 use super::record::{Destination, Way};
-use super::{Plan, Record};
+use super::{FamilyPlan, Record};
 
 /// Tolerance, in radians and fractions of the ranges, within which a resonance reached by continuation is
 /// one that the search has found: both are located to 1e-9 or better.
 const SAME: f64 = 1e-6;
 
 /// The family with these records, in the order of the members; members without a record are omitted.
-pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<Record>>) -> Family {
+pub fn assemble(plan: &FamilyPlan, description: &Description, mut records: Vec<Option<Record>>) -> Family {
     let widths = [description.primary(), description.secondary()].map(|axis| {
         let [low, high] = axis.range();
         high - low
@@ -43,7 +43,7 @@ pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<
             degenerate.extend(found);
         }
         let numbered = (start..).zip(record.resonances);
-        resonances.extend(numbered.map(|(node, row)| Resonance { curve: numbers[node], ..row }));
+        resonances.extend(numbered.map(|(node, row)| FamilyResonance { curve: numbers[node], ..row }));
     }
     let panels = Vec::new();
     let family = Family { members, resonances, points, curves, degenerate, panels, incomplete };
@@ -55,7 +55,7 @@ type Node = (usize, usize);
 
 /// The pairs of resonances that continuation joins. A resonance found only by continuation is added to
 /// its member.
-fn joins(plan: &Plan, widths: [f64; 2], records: &mut [Option<Record>]) -> Vec<[Node; 2]> {
+fn joins(plan: &FamilyPlan, widths: [f64; 2], records: &mut [Option<Record>]) -> Vec<[Node; 2]> {
     let mut joins = Vec::new();
     for index in 0..records.len() {
         let Some(record) = &records[index] else { continue };
@@ -80,7 +80,7 @@ fn joins(plan: &Plan, widths: [f64; 2], records: &mut [Option<Record>]) -> Vec<[
     joins
 }
 
-fn same(known: &Resonance, found: &Resonance, [primary, secondary]: [f64; 2]) -> bool {
+fn same(known: &FamilyResonance, found: &FamilyResonance, [primary, secondary]: [f64; 2]) -> bool {
     (known.loops, known.wall) == (found.loops, found.wall)
         && (known.primary - found.primary).abs() < SAME * primary
         && (known.secondary - found.secondary).abs() < SAME * secondary
@@ -132,7 +132,7 @@ impl Joined {
 }
 
 /// The panels for each p that has resonances, over the constant that varies first.
-fn panels(plan: &Plan, description: &Description, family: &Family) -> Vec<Panel> {
+fn panels(plan: &FamilyPlan, description: &Description, family: &Family) -> Vec<FamilyPanel> {
     let values = &plan.varied[0].values;
     let Some(x) = padded(values.iter().copied(), 0.0) else { return Vec::new() };
     let of = |loops: u32| {
@@ -145,7 +145,7 @@ fn panels(plan: &Plan, description: &Description, family: &Family) -> Vec<Panel>
         let pd = typical(resonances.map(|row| row.coefficients.c_pd));
         [(Shows::Secondary, secondary), (Shows::SaddleNode, sn), (Shows::PeriodDoubling, pd)]
             .into_iter()
-            .filter_map(move |(shows, y)| Some(Panel { loops, shows, frame: Frame { x, y: y? } }))
+            .filter_map(move |(shows, y)| Some(FamilyPanel { loops, shows, frame: Frame { x, y: y? } }))
     };
     description.loops().iter().flat_map(|&loops| of(loops)).collect()
 }

@@ -8,14 +8,16 @@ use grazing_continuation::mps::unknown;
 use grazing_input::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Stop, Units};
-use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
+use grazing_results::family::{
+    Degeneracy, Degenerate, FamilyCurvePoint, FamilyPoint, FamilyResonance, FoundBy, Member,
+};
 use grazing_results::resonance::{Coefficients, Measured};
 use grazing_results::{Dimension, Dimensioned, VARIED, dimensioned};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::hypothesis::Quantity;
 use serde::{Deserialize, Serialize};
 
-use super::{Arc, ArcEnd, ArcPoint, Plan, Tell, arcs};
+use super::{Arc, ArcEnd, ArcPoint, FamilyPlan, Tell, arcs};
 use crate::described::{Axes, Prepared};
 use crate::unfolded::measured;
 
@@ -29,9 +31,9 @@ pub struct Record {
     /// Whether something was detected that could not be located or followed.
     pub(super) incomplete: bool,
     #[serde(default)]
-    pub(super) resonances: Vec<Resonance>,
+    pub(super) resonances: Vec<FamilyResonance>,
     #[serde(default)]
-    pub(super) points: Vec<Point>,
+    pub(super) points: Vec<FamilyPoint>,
     #[serde(default)]
     pub(super) ways: Vec<Way>,
 }
@@ -43,7 +45,7 @@ pub(super) struct Way {
     pub(super) from: usize,
     pub(super) to: Destination,
     #[serde(default)]
-    pub(super) curve: Vec<CurvePoint>,
+    pub(super) curve: Vec<FamilyCurvePoint>,
     #[serde(default)]
     pub(super) degenerate: Vec<Degenerate>,
 }
@@ -52,7 +54,7 @@ pub(super) struct Way {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) enum Destination {
     /// The next member, at this resonance.
-    Next(Box<Resonance>),
+    Next(Box<FamilyResonance>),
     /// The member itself, at the resonance with this index.
     Back(usize),
     /// None: the resonance ceases to exist or is lost between the members.
@@ -62,7 +64,7 @@ pub(super) enum Destination {
 impl Record {
     /// Analyses a member; none if the computation is cancelled.
     pub(super) fn compute(
-        plan: &Plan,
+        plan: &FamilyPlan,
         index: usize,
         description: &Description,
         tell: Tell<'_>,
@@ -130,15 +132,15 @@ impl Record {
     /// Whether the record is plausible as that of this member of a family with these numbers of loops,
     /// regardless of its origin: constants, indices and numbers of loops must fit, and the coordinates of
     /// resonances must be finite.
-    pub fn fits(&self, plan: &Plan, index: usize, loops: &[u32]) -> bool {
+    pub fn fits(&self, plan: &FamilyPlan, index: usize, loops: &[u32]) -> bool {
         let expected = padded(&plan.values(index));
         let same = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
         let of_member = |varied: &[f64; VARIED]| varied.iter().zip(expected).all(|(a, b)| same(*a, b));
-        let at_resonance = |row: &Resonance| {
+        let at_resonance = |row: &FamilyResonance| {
             let numbers = [row.primary, row.secondary, row.phase];
             loops.contains(&row.loops) && numbers.iter().all(|number| number.is_finite())
         };
-        let found = |row: &Resonance| at_resonance(row) && of_member(&row.varied);
+        let found = |row: &FamilyResonance| at_resonance(row) && of_member(&row.varied);
         let leads = |way: &Way| {
             let is_there = match &way.to {
                 Destination::Next(next) => at_resonance(next),
@@ -150,7 +152,7 @@ impl Record {
             let known = curve.chain(degenerate).all(|number| loops.contains(&number));
             is_there && known && way.from < self.resonances.len()
         };
-        let points = |row: &Point| loops.contains(&row.loops) && of_member(&row.varied);
+        let points = |row: &FamilyPoint| loops.contains(&row.loops) && of_member(&row.varied);
         self.index == index
             && of_member(&self.member.varied)
             && self.resonances.iter().all(found)
@@ -209,7 +211,7 @@ struct Rows {
 }
 
 impl Rows {
-    fn resonance(&self, resonance: &resonances::Resonance) -> Resonance {
+    fn resonance(&self, resonance: &resonances::FoundResonance) -> FamilyResonance {
         let located = &resonance.located;
         let found = (resonance.n, FoundBy::Search);
         let orbit = located.orbit();
@@ -242,10 +244,10 @@ impl Rows {
         point: &ResonantPoint,
         varied: [f64; VARIED],
         (n, found_by): (u32, FoundBy),
-    ) -> Resonance {
+    ) -> FamilyResonance {
         let [primary, secondary] = parameters;
         let coefficients = Coefficients::from(point);
-        Resonance {
+        FamilyResonance {
             varied,
             loops: point.loops(),
             wall: self.wall,
@@ -266,14 +268,14 @@ impl Rows {
         }
     }
 
-    fn points(&self, diagram: &Diagram) -> Vec<Point> {
+    fn points(&self, diagram: &Diagram) -> Vec<FamilyPoint> {
         let Self { varied, wall, .. } = *self;
         let point = |point: &CodimensionTwoPoint| {
             let at = point.unknowns();
             let [primary, secondary] = [at[unknown::PRIMARY], at[unknown::SECONDARY]];
             let impact_velocity = at[unknown::VELOCITY];
             let (kind, loops, n) = (point.kind, point.loops, point.n);
-            Point { varied, kind, loops, wall, n, secondary, primary, impact_velocity }
+            FamilyPoint { varied, kind, loops, wall, n, secondary, primary, impact_velocity }
         };
         diagram.codimension_two.iter().map(point).collect()
     }
@@ -301,7 +303,7 @@ impl Rows {
             if matches!(meaning, Some(Degeneracy::InfinitePeriodDoubling | Degeneracy::Infinite)) {
                 coefficients.c_pd = f64::NAN;
             }
-            CurvePoint {
+            FamilyCurvePoint {
                 varied,
                 loops,
                 wall: self.wall,
@@ -314,7 +316,7 @@ impl Rows {
                 end: String::new(),
             }
         };
-        let mut curve: Vec<CurvePoint> = arc.points.iter().map(curve).collect();
+        let mut curve: Vec<FamilyCurvePoint> = arc.points.iter().map(curve).collect();
         if let Some(last) = curve.last_mut() {
             last.end = match &arc.end {
                 ArcEnd::Across | ArcEnd::Back(_) => String::new(),

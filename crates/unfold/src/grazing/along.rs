@@ -3,11 +3,11 @@
 use grazing_model::smooth::Units;
 use grazing_results::brief;
 
-use super::{GrazingCurve, GrazingState};
+use super::{GrazingCurve, GrazingCurvePoint};
 
 /// Where neighbouring motion is forgotten within a period; nothing if that is nowhere.
 pub fn forgotten(curve: &GrazingCurve, secondary: &str, units: &Units) -> Option<String> {
-    let words = |state: &GrazingState| {
+    let words = |state: &GrazingCurvePoint| {
         state.is_forgotten().then_some("neighbouring motion is forgotten within a period")
     };
     let places = along_curve(curve, secondary, units, words);
@@ -19,7 +19,7 @@ pub fn along_curve(
     curve: &GrazingCurve,
     secondary: &str,
     units: &Units,
-    words: impl Fn(&GrazingState) -> Option<&'static str>,
+    words: impl Fn(&GrazingCurvePoint) -> Option<&'static str>,
 ) -> String {
     let mut pieces: Vec<(Option<&str>, [f64; 2])> = Vec::new();
     for state in &curve.states {

@@ -17,7 +17,7 @@ use grazing_results::{Stability, span};
 use nalgebra::Vector2;
 
 use super::flights::visits_of;
-use crate::segments::{Vertex, vertices};
+use crate::segments::{BranchVertex, vertices};
 
 /// A branch of periodic solutions at one η.
 #[derive(Clone, Debug)]
@@ -70,10 +70,10 @@ impl Branch {
     /// the last is the virtual point of the impact, as for an MPS. That point is always known. With
     /// several impacts each flight meets Π in its maxima, counted back from the virtual point of its
     /// impact, as that of simulated motion does. For motion without impacts the visit is its highest point.
-    fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
+    fn visits(&self, places: &[BranchVertex<'_>]) -> Vec<Vec<Meeting>> {
         match self.impacts() {
             0 => {
-                let highest = |at: &Vertex<'_>| {
+                let highest = |at: &BranchVertex<'_>| {
                     let touches = at.event.is_some_and(|event| event.condition == Condition::InteriorGrazing);
                     let x = if touches { 0.0 } else { at.solution.ceiling() };
                     let place = Vector2::new(x, self.equations.impact(at.solution)[1]);
@@ -87,7 +87,7 @@ impl Branch {
         }
     }
 
-    fn loops_of_mps(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
+    fn loops_of_mps(&self, places: &[BranchVertex<'_>]) -> Vec<Vec<Meeting>> {
         let vivid = self.equations.with_formulation(Formulation::Vivid);
         // The maximum next to the impact.
         let landing = |point: &Unknowns| {
@@ -125,8 +125,8 @@ impl Branch {
         visits.collect()
     }
 
-    fn maxima_of_flights(&self, places: &[Vertex<'_>]) -> Vec<Vec<Meeting>> {
-        let of_solution = |at: &Vertex<'_>| {
+    fn maxima_of_flights(&self, places: &[BranchVertex<'_>]) -> Vec<Vec<Meeting>> {
+        let of_solution = |at: &BranchVertex<'_>| {
             let point = &at.solution.unknowns;
             let oscillator = self.equations.oscillator_at(point);
             let flights = self.equations.flown(point).into_iter().enumerate();
@@ -213,7 +213,7 @@ impl Branch {
     }
 
     /// The stability of the solutions; at y = 0 they are unstable.
-    pub(super) fn stability(&self, places: &[Vertex<'_>]) -> Vec<Stability> {
+    pub(super) fn stability(&self, places: &[BranchVertex<'_>]) -> Vec<Stability> {
         // At a multiplier on the unit circle a solution is given the stability that it has beyond
         // the bifurcation.
         let critical = |event: &Event| matches!(event.condition, Condition::Multiplier(_) | Condition::TORUS);
@@ -221,7 +221,7 @@ impl Branch {
             Some(event) if critical(event) => None,
             _ => Some(Stability::of(places[k].solution.multipliers)),
         };
-        let hits = |at: &Vertex<'_>| !at.solution.has_impacts() || at.solution.impact_velocity() > 0.0;
+        let hits = |at: &BranchVertex<'_>| !at.solution.has_impacts() || at.solution.impact_velocity() > 0.0;
         let beyond = |k: usize| (k..places.len()).find_map(own).filter(|_| hits(&places[k]));
         (0..places.len()).map(|k| beyond(k).unwrap_or(Stability::Unstable)).collect()
     }
@@ -229,7 +229,7 @@ impl Branch {
     /// The ranges of μ in which the MPSs are stable and admissible.
     pub fn stable_stretches(&self) -> Vec<[f64; 2]> {
         let places = vertices(&self.curve);
-        let shown = |at: &Vertex<'_>| {
+        let shown = |at: &BranchVertex<'_>| {
             at.solution.impact_velocity() > 0.0 && at.solution.stable() && at.solution.admissible()
         };
         let mut stretches = Vec::new();

@@ -14,7 +14,7 @@ use super::{Cut, Sampling};
 use crate::long_time::{LongOrbit, MotionKind, Strike};
 use crate::parallel;
 use crate::progress::Progress;
-use crate::segments::{Vertex, vertices};
+use crate::segments::{BranchVertex, vertices};
 
 /// Number of instants of a forcing period between which turning points are bracketed: at turning
 /// points closer together x has no visible difference.
@@ -69,7 +69,7 @@ impl Branch {
     fn readings(&self) -> Vec<Vec<Reading>> {
         let places = vertices(&self.curve);
         let stability = self.stability(&places);
-        let readings = |(at, stable): (&Vertex<'_>, Stability)| {
+        let readings = |(at, stable): (&BranchVertex<'_>, Stability)| {
             let [primary, secondary] = at.solution.parameters();
             let point = &at.solution.unknowns;
             let peak_to_peak = self.peak_to_peak(at.solution);

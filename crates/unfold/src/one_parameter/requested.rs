@@ -100,8 +100,15 @@ pub(crate) fn diagrams(
     let units = description.units();
     let Prepared { oscillator, scope, .. } = Prepared::of(description, stop);
     for (diagram, setting) in (1..).zip(description.diagrams()) {
-        let &grazing_input::OneParameter {
-            primary_is_fixed, at, range, seed, sweeps, ordinate, impacts, ..
+        let &grazing_input::OneParameterRequest {
+            primary_is_fixed,
+            at,
+            range,
+            seed,
+            sweeps,
+            ordinate,
+            impacts,
+            ..
         } = setting;
         let line = Line { diagram, primary_is_fixed, at, range }.without_dimensions(&units);
         let unit = if primary_is_fixed { units.secondary } else { units.primary };

@@ -2,7 +2,7 @@
 
 use grazing_model::{AnyOscillator, State};
 
-use super::outcome::{Known, Outcome, each, is_irregular};
+use super::outcome::{KnownOutcomes, OrbitOutcome, each, is_irregular};
 use crate::long_time::{Horizon, MotionKind, Patience};
 use crate::progress::Progress;
 
@@ -30,21 +30,20 @@ pub(super) fn basins(
     oscillator: &AnyOscillator,
     lattice: &[State],
     horizon: Horizon,
-    known: &mut Known,
+    known: &mut KnownOutcomes,
     progress: &dyn Progress,
 ) -> Option<Vec<(State, Option<usize>)>> {
-    let outcome = |from: State, horizon| Outcome::of(oscillator, from, horizon);
+    let outcome = |from: State, horizon| OrbitOutcome::of(oscillator, from, horizon);
     let first = each(BASINS, lattice, progress, |&from| outcome(from, FIRST))?;
     let mut indices: Vec<Option<usize>> = vec![None; lattice.len()];
     let mut rest: Vec<(usize, State)> = Vec::new();
-    let mut take =
-        |place: usize, outcome: Outcome, known: &mut Known, rest: &mut Vec<(usize, State)>| match outcome
-            .fate
-            .kind
-        {
-            MotionKind::Unsettled => rest.push((place, outcome.late)),
-            _ => indices[place] = Some(known.add(0, outcome)),
-        };
+    let mut take = |place: usize,
+                    outcome: OrbitOutcome,
+                    known: &mut KnownOutcomes,
+                    rest: &mut Vec<(usize, State)>| match outcome.fate.kind {
+        MotionKind::Unsettled => rest.push((place, outcome.late)),
+        _ => indices[place] = Some(known.add(0, outcome)),
+    };
     for (place, outcome) in first.into_iter().enumerate() {
         take(place, outcome, known, &mut rest);
     }
@@ -53,7 +52,7 @@ pub(super) fn basins(
     let longest = left.checked_div(rest.len() as u64).unwrap_or(0).min(horizon.longest.into()) as u32;
     let on = Horizon { transient: spent, longest, patience: Patience::Unsettled, ..FIRST };
     let unsettled = core::mem::take(&mut rest);
-    let later = each(SLOW, &unsettled, progress, |&(_, from)| Outcome::at_last(oscillator, from, on))?;
+    let later = each(SLOW, &unsettled, progress, |&(_, from)| OrbitOutcome::at_last(oscillator, from, on))?;
     for ((place, _), outcome) in unsettled.into_iter().zip(later) {
         take(place, outcome, known, &mut rest);
     }

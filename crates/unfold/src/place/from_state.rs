@@ -4,7 +4,7 @@ use grazing_model::orbit::OrbitEnd;
 use grazing_model::phase::centred;
 use grazing_model::{ImpactOscillator, State};
 use grazing_results::Dimensioned;
-use grazing_results::place::{Simulated, SimulatedImpact, SimulatedMotion};
+use grazing_results::place::{MotionFromState, SimulatedImpact, SimulatedMotion};
 
 use super::rows::wall;
 use crate::described::Prepared;
@@ -23,7 +23,7 @@ pub fn simulated(
     at: [f64; 2],
     [x, y, time]: [f64; 3],
     periods: f64,
-) -> Result<Simulated, String> {
+) -> Result<MotionFromState, String> {
     let (here, units) = (of.oscillator.with_parameters(of.without_dimensions(at)), of.axes.units);
     let frequency = here.forcing_frequency().value;
     if !(frequency > 0.0 && frequency.is_finite()) {
@@ -67,5 +67,5 @@ pub fn simulated(
     };
     let motion = (1..).zip(&found.flights).flat_map(point).collect();
     let impacts = found.impacts.iter().zip(&found.stops).map(impact).collect();
-    Ok(Simulated { motion, impacts, end }.with_dimensions(&units))
+    Ok(MotionFromState { motion, impacts, end }.with_dimensions(&units))
 }

@@ -16,7 +16,7 @@ pub(super) fn long_orbit(oscillator: &AnyOscillator, start: State, horizon: Hori
 }
 
 /// The properties of an orbit from a state that are compared with those of others.
-pub(super) struct Outcome {
+pub(super) struct OrbitOutcome {
     pub(super) start: State,
     /// A later state of the same motion, if it can be followed.
     pub(super) late: State,
@@ -31,7 +31,7 @@ pub(super) struct Outcome {
     pub(super) highest: f64,
 }
 
-impl Outcome {
+impl OrbitOutcome {
     pub(super) fn of(oscillator: &AnyOscillator, start: State, horizon: Horizon) -> Self {
         Self::at_end(oscillator, start, &long_orbit(oscillator, start, horizon))
     }
@@ -77,18 +77,18 @@ impl Outcome {
 }
 
 /// The outcomes that differ, and the number of random states that lead to each.
-pub(super) struct Known {
-    pub(super) different: Vec<(u32, Outcome)>,
+pub(super) struct KnownOutcomes {
+    pub(super) different: Vec<(u32, OrbitOutcome)>,
 }
 
-impl Known {
+impl KnownOutcomes {
     /// The index of an outcome that is known.
-    pub(super) fn index(&self, outcome: &Outcome) -> Option<usize> {
+    pub(super) fn index(&self, outcome: &OrbitOutcome) -> Option<usize> {
         self.different.iter().position(|(_, known)| known.is_like(outcome))
     }
 
     /// Adds an outcome of some random states, and returns its index.
-    pub(super) fn add(&mut self, states: u32, outcome: Outcome) -> usize {
+    pub(super) fn add(&mut self, states: u32, outcome: OrbitOutcome) -> usize {
         match self.index(&outcome) {
             Some(index) => {
                 self.different[index].0 += states;

@@ -30,7 +30,7 @@ pub(super) const SIZE: u32 = FINEST << (COARSE + PARTINGS);
 pub(super) type Missed = Vector3<f64>;
 
 /// Functions on a lattice whose points have integer coordinates, with the values that are known.
-pub(super) struct Field<P, V, I> {
+pub(super) struct LatticeFunctions<P, V, I> {
     /// The point with these coordinates.
     place: P,
     /// The second coordinate after a turn, where all functions are as they were.
@@ -43,7 +43,7 @@ pub(super) struct Field<P, V, I> {
     found: Vec<(usize, [Unknowns; 2])>,
 }
 
-impl<P, V, I> Field<P, V, I>
+impl<P, V, I> LatticeFunctions<P, V, I>
 where
     P: Fn([u32; 2]) -> Unknowns,
     V: Fn(&Unknowns, &[usize]) -> Vec<Missed>,

@@ -3,7 +3,8 @@
 use grazing_continuation::mps::PeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_results::plane::{
-    OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex, Walls,
+    OnCurve, PlanePoint, RegionKind, SequenceDiagram, SequencePoint, SequenceResonance, SequenceVertex,
+    WallSequence,
 };
 
 use super::{Sequence, Sequences};
@@ -35,12 +36,12 @@ impl Sequences {
 
 impl Sequence {
     /// The walls that impacts hit, one after the other, as the wall with this number sees them; none with one wall.
-    pub fn walls(&self, wall: u32) -> Walls {
+    pub fn walls(&self, wall: u32) -> WallSequence {
         let stop =
             |impact: usize| if self.stops.is_empty() { 0 } else { self.stops[impact % self.stops.len()] };
         // To the second wall the first one is the other.
         let number = |stop: usize| if wall == 2 { 2 - stop } else { 1 + stop };
-        Walls((0..self.impacts).filter(|_| wall > 0).map(|impact| number(stop(impact))).collect())
+        WallSequence((0..self.impacts).filter(|_| wall > 0).map(|impact| number(stop(impact))).collect())
     }
 
     /// Whether these solutions hit both of two walls.

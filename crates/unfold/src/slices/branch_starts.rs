@@ -7,7 +7,7 @@ use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, LoopEquations, Unknowns, parameters, unknown};
 use grazing_model::smooth::Purpose;
 
-use super::{CARRIED_OFF, Crossing, MOST_BRANCHES, Slice, Slicer, crossings};
+use super::{CARRIED_OFF, ChordCrossing, MOST_BRANCHES, Slice, Slicer, crossings};
 use crate::curves::DiagramCurve;
 use crate::grazing::{HighestPoint, multipliers};
 
@@ -71,7 +71,7 @@ impl Slicer {
         let crossings =
             doublings.flat_map(|curve| crossings(&curve.curve, unknown::SECONDARY, slice.secondary));
         let here = Condition::Secondary(slice.secondary);
-        for Crossing { condition, place, mut times, .. } in crossings.collect::<Vec<_>>() {
+        for ChordCrossing { condition, place, mut times, .. } in crossings.collect::<Vec<_>>() {
             if let Ok(at) = locate_within(CARRIED_OFF, halved, [condition, here], place, &mut times) {
                 self.beginning_beside(slice, halved, at);
             }
@@ -159,7 +159,7 @@ impl Slicer {
         let here = Condition::Secondary(secondary);
         let new = core::mem::replace(&mut slice.curves, curves.len());
         let known = curves[new..].iter().map(|curve| &curve.curve);
-        for Crossing { condition, chord, place: near, mut times } in
+        for ChordCrossing { condition, chord, place: near, mut times } in
             known.flat_map(|curve| crossings(curve, unknown::SECONDARY, secondary))
         {
             // The curve's point may lie on a branch that has stepped over it; at a pitchfork, on
@@ -204,7 +204,7 @@ impl Slicer {
         let before = slice.branches.len();
         let new = core::mem::replace(&mut slice.columns, columns.len());
         let secondary = slice.secondary;
-        for Crossing { condition, chord, place: near, mut times } in
+        for ChordCrossing { condition, chord, place: near, mut times } in
             columns[new..].iter().flat_map(|column| crossings(column, unknown::SECONDARY, secondary))
         {
             if self.knows(slice, &near) {

@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 use super::Survey;
 use crate::curves::{CodimensionTwoPoint, DiagramCurve};
 use crate::faces::Point;
-use crate::grazing::GrazingState;
+use crate::grazing::GrazingCurvePoint;
 use crate::slices::near_chord;
 use crate::tolerances::{CLEAR, DRAWN};
 use crate::{Scope, close_curves};
@@ -77,7 +77,7 @@ impl Survey<'_> {
         let mut lines: Vec<Vec<Point>> = Vec::new();
         for curve in &self.grazing {
             let turns = (self.loops() / curve.periods).min(2);
-            let is_bare = |state: &GrazingState| {
+            let is_bare = |state: &GrazingCurvePoint| {
                 let at = state.parameters();
                 state.multipliers.forget(turns)
                     && !beside.iter().any(|chord| from_chord(window, at, chord) < CLEAR)
@@ -90,7 +90,7 @@ impl Survey<'_> {
                 if run[0] {
                     // With the neighbours, beside which a curve goes on.
                     let states = &curve.states[first.saturating_sub(1)..(after + 1).min(bare.len())];
-                    lines.push(states.iter().map(GrazingState::parameters).collect());
+                    lines.push(states.iter().map(GrazingCurvePoint::parameters).collect());
                 }
             }
         }

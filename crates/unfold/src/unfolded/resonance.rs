@@ -2,13 +2,13 @@
 
 use crate::Diagram;
 use crate::magnification::{magnify, window_about};
-use crate::resonances::Resonance;
+use crate::resonances::FoundResonance;
 use crate::straightened::{self, straighten};
 use crate::verdict::{Coefficient, coefficients_on, near};
 use crate::verification::{Simulated, simulate};
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
-use grazing_continuation::fit::{FitError, Straightened};
+use grazing_continuation::fit::{CoefficientError, Straightened};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
@@ -46,8 +46,8 @@ const ALIKE: f64 = 1e-6;
 
 impl AtResonance {
     /// A resonance as a wall sees it, dimensionless, without results for its curves.
-    pub fn new(resonance: &Resonance, wall: u32) -> Self {
-        let Resonance { loops, n, located, theorem } = resonance;
+    pub fn new(resonance: &FoundResonance, wall: u32) -> Self {
+        let FoundResonance { loops, n, located, theorem } = resonance;
         let (theorem, hypotheses) = match theorem {
             Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
             Err(violated) => (violated.theorem, violated.hypotheses.as_slice()),
@@ -132,7 +132,7 @@ pub fn curves(
 /// these units.
 pub(super) fn curves_from(
     diagram: &Diagram,
-    resonance: &Resonance,
+    resonance: &FoundResonance,
     point: &ResonantGrazingPoint,
     units: &Units,
 ) -> Curves {
@@ -155,8 +155,8 @@ pub(super) fn curves_from(
 /// The curves that leave a resonance in straightened coordinates, at round numbers in these units.
 fn straightened(
     diagram: &Diagram,
-    at: (&Resonance, &ResonantGrazingPoint),
-    near: &Pair<Result<Straightened, FitError>>,
+    at: (&FoundResonance, &ResonantGrazingPoint),
+    near: &Pair<Result<Straightened, CoefficientError>>,
     units: &Units,
 ) -> Vec<StraightenedPoint> {
     let etas = straightened::etas(diagram.scope.window.with_dimensions(units).secondary);
@@ -169,7 +169,7 @@ fn straightened(
 pub fn straightened_at(
     axes: &Axes,
     diagram: &Diagram,
-    (resonance, point): (&Resonance, &ResonantGrazingPoint),
+    (resonance, point): (&FoundResonance, &ResonantGrazingPoint),
 ) -> StraightenedCurves {
     let near = near(point);
     let coefficients = coefficients_on(point, &near).map(|known| known.theorem.value);

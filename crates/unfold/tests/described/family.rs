@@ -5,7 +5,7 @@ use grazing_model::smooth::Stop;
 use grazing_results::VARIED;
 use grazing_results::resonance::Coefficients;
 use grazing_theorems::LinearOscillator;
-use grazing_unfold::family::{Plan, Varied, assemble, records};
+use grazing_unfold::family::{FamilyPlan, Varied, assemble, records};
 use grazing_unfold::progress::Silent;
 
 /// Coefficients from derivatives of the numerical map: as accurate as those of the second order.
@@ -19,7 +19,8 @@ fn resonances_and_the_curves_between_them_have_the_coefficients_of_the_closed_fo
         .replace("loops = [1, 2, 3]", "loops = [1, 2]");
     let description = Description::parse(&narrow, "paper.toml").unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((description.loops(), description.secondary().range()), (&[1, 2][..], [0.6, 0.9]));
-    let plan = Plan { varied: vec![Varied { name: "zeta".to_owned(), values: vec![0.02, 0.03, 0.05] }] };
+    let plan =
+        FamilyPlan { varied: vec![Varied { name: "zeta".to_owned(), values: vec![0.02, 0.03, 0.05] }] };
     let member = |index: usize| {
         let zeta = plan.values(index)[0];
         (index, description.with_constant("zeta", zeta).unwrap_or_else(|error| panic!("{error}")))

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearOscillator;
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 
 use crate::specimens::{
     EPSILON, ZETA, assert_closed_form, assert_within, constant, counted, grazing_curve, resonances,
@@ -104,7 +104,7 @@ fn two_harmonics_graze_where_the_sum_of_their_responses_does_and_resonate_where_
     assert_eq!(found.iter().filter(|resonance| resonance.theorem.is_ok()).count(), known.len());
     for known in known {
         let (p, n) = (known.loops(), known.index());
-        let same = |found: &&Resonance| (found.loops, found.n) == (p, n) && found.theorem.is_ok();
+        let same = |found: &&FoundResonance| (found.loops, found.n) == (p, n) && found.theorem.is_ok();
         let resonance = found.iter().find(same).unwrap_or_else(|| panic!("p = {p}, n = {n} is missing"));
         let [_, omega] = units.parameters(resonance.located.orbit().oscillator().parameters());
         assert_within(omega, known.forcing_frequency(), 1e-9);

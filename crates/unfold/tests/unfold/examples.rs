@@ -9,7 +9,7 @@ use grazing_results::Dimensioned;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 use grazing_unfold::verdict::{Verdict, coefficients};
 use grazing_unfold::verification::{Simulated, simulate};
 use insta::{Settings, assert_snapshot};
@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use crate::specimens::{self, counted, example, file};
 
 /// All resonances of an example, and the units in which they are measured.
-fn resonances(name: &str) -> (Vec<Resonance>, Units) {
+fn resonances(name: &str) -> (Vec<FoundResonance>, Units) {
     let (oscillator, scope, units) = counted(name);
     let found = specimens::resonances(&oscillator, &scope);
     for resonance in &found {
@@ -34,7 +34,7 @@ fn resonances(name: &str) -> (Vec<Resonance>, Units) {
 
 /// Checks that theorem and fit agree within their errors and to five digits, and that simulation
 /// agrees with the prediction on both sides of both curves.
-fn assert_theory_holds(name: &str, resonances: &[Resonance]) {
+fn assert_theory_holds(name: &str, resonances: &[FoundResonance]) {
     let failures: Vec<String> = resonances
         .par_iter()
         .filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))

@@ -20,7 +20,7 @@ use grazing_results::plane::{CurveSource, MagnifiedPoint};
 use grazing_unfold::diagram::route;
 use grazing_unfold::magnification::magnify;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::resonances::Resonance;
+use grazing_unfold::resonances::FoundResonance;
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
@@ -215,7 +215,7 @@ fn points_of_figure_7_are_the_committed_ones() {
 }
 
 /// A resonance of a diagram and the theorem that holds there.
-fn resonance(diagram: &Diagram, loops: u32, n: u32) -> (&Resonance, &ResonantGrazingPoint) {
+fn resonance(diagram: &Diagram, loops: u32, n: u32) -> (&FoundResonance, &ResonantGrazingPoint) {
     diagram.unfolding().find(|(found, _)| (found.loops, found.n) == (loops, n)).unwrap()
 }
 

@@ -81,7 +81,7 @@ fn assert_stable_inside(
                 amplitude < grazing_at(zeta, frequency).amplitude()
             } else {
                 let oscillator = linear(zeta, epsilon, [amplitude, frequency]);
-                let returns = |orbit: &closed_form::Orbit| {
+                let returns = |orbit: &closed_form::ClosedFormOrbit| {
                     let (velocity, phase) = (orbit.velocity, orbit.phase);
                     let suspect = Suspect { oscillator: &oscillator, loops: polygon.loops, velocity, phase };
                     suspect.follow() == ReturnOutcome::Returns

@@ -2,7 +2,7 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_model::ImpactOscillator;
-use grazing_theorems::LinearOscillator as Theory;
+use grazing_theorems::LinearOscillator;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::route;
 use grazing_unfold::progress::Silent;
@@ -16,7 +16,7 @@ use crate::specimens::{
 /// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there:
 /// eq:resonance1, eq:resonancep.
 fn expected(loops: u32, [lowest, highest]: [f64; 2]) -> Vec<(f64, u32, bool)> {
-    let theory = Theory::new(ZETA, EPSILON).unwrap();
+    let theory = LinearOscillator::new(ZETA, EPSILON).unwrap();
     let mut list: Vec<_> = theory
         .resonances(&[loops], lowest, highest)
         .unwrap()
@@ -119,7 +119,7 @@ fn where_motion_is_forgotten_within_a_period_nothing_is_resonant() {
     for state in &curve.states {
         assert_eq!(state.is_forgotten(), state.parameters()[1] < forgotten);
     }
-    let known: Vec<f64> = Theory::new(0.15, EPSILON)
+    let known: Vec<f64> = LinearOscillator::new(0.15, EPSILON)
         .unwrap()
         .resonances(&[1], 1.01 * forgotten, 0.12)
         .unwrap()
@@ -141,7 +141,7 @@ fn where_motion_is_forgotten_within_a_period_nothing_is_resonant() {
 fn resonances_are_found_where_motion_is_almost_forgotten_within_p_periods() {
     let oscillator = linear(0.2, 0.9, [0.5, 0.5]);
     let found = resonances(&oscillator, &scope([0.0, 1.3], [0.2, 1.0], &[4, 5]));
-    let theory = Theory::new(0.2, 0.9).unwrap();
+    let theory = LinearOscillator::new(0.2, 0.9).unwrap();
     let expected = theory.resonances(&[4, 5], 0.2, 1.0).unwrap();
     assert_eq!(expected.len(), 8);
     for wanted in expected {

@@ -10,7 +10,7 @@ use grazing_model::{AtRest, ImpactOscillator, State};
 use grazing_results::Dimensioned;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
-use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
+use grazing_unfold::grazing::{GrazingCurve, GrazingCurvePoint, GrazingEnd};
 use grazing_unfold::non_impacting::periodic_motion;
 use grazing_unfold::{Scope, UnfoldError};
 
@@ -156,7 +156,7 @@ fn a_grazing_curve_ends_where_motion_is_no_longer_turned_back() {
     let curves = grazing_curves(&written(force, "eta", &scope), &scope).unwrap();
     let states = || curves.iter().flat_map(|curve| &curve.states);
     // A maximum at the wall becomes a point of inflection there.
-    let gamma = |state: &GrazingState| state.orbit.grazing_point().gamma;
+    let gamma = |state: &GrazingCurvePoint| state.orbit.grazing_point().gamma;
     assert!(states().map(gamma).fold(f64::INFINITY, f64::min) < 0.01);
     assert!(states().all(|state| gamma(state) > 0.0 && state.multipliers.stable()));
 }

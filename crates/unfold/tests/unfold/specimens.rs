@@ -10,7 +10,7 @@ use grazing_results::Dimensioned;
 use grazing_theorems::GrazingState;
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::resonances::{Resonance, on_curve};
+use grazing_unfold::resonances::{FoundResonance, on_curve};
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 
 /// The damping ratio and the coefficient of restitution of the paper's figures.
@@ -114,7 +114,7 @@ pub(crate) fn grazing_curve(oscillator: &AnyOscillator, scope: &Scope) -> Grazin
 
 /// The resonances on the grazing curve, all of which are located.
 #[track_caller]
-pub(crate) fn resonances(oscillator: &AnyOscillator, scope: &Scope) -> Vec<Resonance> {
+pub(crate) fn resonances(oscillator: &AnyOscillator, scope: &Scope) -> Vec<FoundResonance> {
     let (found, lost) = on_curve(&grazing_curve(oscillator, scope), scope, &Silent);
     assert!(lost.is_empty(), "{lost:?}");
     found
@@ -127,7 +127,7 @@ pub(crate) fn resonances(oscillator: &AnyOscillator, scope: &Scope) -> Vec<Reson
 /// Integration leaves 1e-11 over sixty turns of neighbouring motion.
 #[track_caller]
 pub(crate) fn assert_closed_form(
-    found: &[Resonance],
+    found: &[FoundResonance],
     [lowest, highest]: [f64; 2],
     loops: &[u32],
     scaled: impl Fn([f64; 4]) -> [f64; 4],

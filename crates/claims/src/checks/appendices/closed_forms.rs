@@ -8,7 +8,7 @@ fn at_resonances(
     loops: &[u32],
     over: &str,
     tolerance: f64,
-    pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, Failure>,
+    pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, CheckError>,
 ) -> CheckResult {
     let largest = drawn(12, 300, |sampler, largest: &mut Deviations| {
         let (p, n) = (sampler.one_of(loops), sampler.one_of(&[1, 2, 3, 4]));
@@ -32,7 +32,7 @@ fn parity(resonance: &Resonance) -> f64 {
 }
 
 /// ξ_p of the iterated map at a resonance.
-fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
+fn iterated(resonance: &Resonance) -> Result<f64, CheckError> {
     let grazing = resonance.grazing();
     let jet = global_iterate::<_, 2>(&grazing.model(), resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
     Ok(jet.hessians[0][(1, 1)])
@@ -52,7 +52,10 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
 }
 
 /// The derivative in ω of a function of A along the grazing curve, by differences of P_global.
-fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> f64) -> Result<f64, Failure> {
+fn along_grazing(
+    resonance: &Resonance,
+    of: impl Fn(&nalgebra::Matrix2<f64>) -> f64,
+) -> Result<f64, CheckError> {
     let theory = resonance.grazing().oscillator();
     // Angles 2πω₁/ω change rapidly at low ω, so the step decreases with ω².
     let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();

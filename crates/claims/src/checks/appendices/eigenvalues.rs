@@ -14,7 +14,7 @@ fn quotient_deviation(sum: f64, numerator: Complex<f64>, size: f64, denominator:
 }
 
 /// The largest deviation over sampled points with distinct eigenvalues.
-fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) -> CheckResult {
+fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &EigenvaluePair) -> f64) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut deviations = Deviations::default();
     for index in 0..3000 {
@@ -26,14 +26,14 @@ fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) ->
             tau = 2.0 * delta.sqrt() * (1.0 + nearness) * sampler.one_of(&[-1.0, 1.0]);
         }
         if tau.abs() < delta + 1.0 && tau * tau != 4.0 * delta {
-            deviations.see(deviation(p, tau, delta, &Pair::new(tau, delta)));
+            deviations.see(deviation(p, tau, delta, &EigenvaluePair::new(tau, delta)));
         }
     }
     Ok(deviations.outcome(ROUNDING, POINTS))
 }
 
 /// The deviation of S_p from the quotient of eq:Sp2.
-fn deviation_of_s(p: i32, tau: f64, delta: f64, pair: &Pair) -> f64 {
+fn deviation_of_s(p: i32, tau: f64, delta: f64, pair: &EigenvaluePair) -> f64 {
     let expected = lucas_sequence(p as u32, tau, delta);
     let (numerator, size) = (pair.difference_of_powers(p), pair.size_of_powers(p));
     quotient_deviation(expected, numerator, size, pair.first - pair.second)
@@ -53,7 +53,7 @@ checks! {
             (-1.5 * r, false, false),
             (r + 0.5 * (delta + 1.0), false, false),
         ] {
-            let pair = Pair::new(tau, delta);
+            let pair = EigenvaluePair::new(tau, delta);
             let not_zero = pair.first.norm() > 0.0 && pair.second.norm() > 0.0;
             let second_not_one = (pair.second - 1.0).norm() > 0.0;
             votes.see(
@@ -88,12 +88,12 @@ checks! {
     condition_of_quotient: over(1..100) |k; (deviations, print): (Deviations, Deviations)| {
         let (p, delta) = (2 + k % 14, f64::from(k) / 100.0);
         for tau in [delta + 1.0, 2.0 * delta.sqrt() * 1.001, -2.0 * delta.sqrt() * 0.999] {
-            deviations.see(deviation_of_s(p, tau, delta, &Pair::new(tau, delta)));
+            deviations.see(deviation_of_s(p, tau, delta, &EigenvaluePair::new(tau, delta)));
         }
         // A dyadic root, so that the eigenvalues are equal exactly.
         let r = f64::from(k) / 128.0;
         for tau in [2.0 * r, -2.0 * r] {
-            print.see(deviation_of_s(p, tau, r * r, &Pair::new(tau, r * r)));
+            print.see(deviation_of_s(p, tau, r * r, &EigenvaluePair::new(tau, r * r)));
         }
     } =>
         deviations.outcome(ROUNDING, "τ = δ + 1 and near ±2√δ for 99 determinants, p = 2 to 15; the print at τ = ±2√δ, where it is 0/0")

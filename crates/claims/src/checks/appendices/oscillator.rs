@@ -7,7 +7,7 @@ use crate::*;
 fn over_states(
     count: usize,
     tolerance: f64,
-    pairs: impl Fn(&GrazingState) -> Result<Vec<(f64, f64)>, Failure>,
+    pairs: impl Fn(&GrazingState) -> Result<Vec<(f64, f64)>, CheckError>,
 ) -> CheckResult {
     let mut largest = Deviations::default();
     for state in states(count)? {

@@ -95,7 +95,7 @@ checks! {
     } => deviations.outcome(1e-13, "angles between −7 and 7, p = 1 to 20");
     /// eq:polarCoords.
     polar_coordinates: over_polar(11, 1e-13, |polar| {
-        let pair = Pair::new(polar.tau, polar.delta);
+        let pair = EigenvaluePair::new(polar.tau, polar.delta);
         let modulus = polar.delta.sqrt();
         // The arccosine loses digits where its argument is near ±1, like 1/sin θ.
         let theta = libm::acos(polar.tau / (2.0 * modulus));
@@ -105,7 +105,7 @@ checks! {
     });
     /// eq:lam1kminuslam2k, k of either sign.
     differences_of_powers: over_polar(12, POLAR_ROUNDING, |polar| {
-        let pair = Pair::new(polar.tau, polar.delta);
+        let pair = EigenvaluePair::new(polar.tau, polar.delta);
         [polar.p, -polar.p, 1, 0].into_iter().fold(0.0, |largest: f64, k| {
             let expected = Complex::new(0.0, 2.0 * polar.r_to(k) * polar.sine(k));
             largest.max((pair.difference_of_powers(k) - expected).norm() / polar.r_to(k))

@@ -19,7 +19,7 @@ fn stated(point: &GrazingPoint, p: u32) -> [f64; 3] {
 
 /// det K in factors as printed, with eigenvalues; it is undefined if one of them is 1.
 fn factored_by_eigenvalues(point: &GrazingPoint, p: i32) -> f64 {
-    let pair = Pair::new(point.map.a.trace(), point.map.a.determinant());
+    let pair = EigenvaluePair::new(point.map.a.trace(), point.map.a.determinant());
     let top = pair.monomial(p, p) - power(pair.first, p) - power(pair.second, p) + 1.0;
     (top / pair.gap()).re * point.map.transversality()
 }
@@ -67,7 +67,7 @@ checks! {
         let [_, _, factored] = stated(&point, p);
         deviations.see((k.determinant() - factored) / determinant_size(&k, &point));
         // The quotient has the rounding of 1 − λ₁ in its denominator.
-        let gap = Pair::new(point.map.a.trace(), point.map.a.determinant()).gap().norm().min(1.0);
+        let gap = EigenvaluePair::new(point.map.a.trace(), point.map.a.determinant()).gap().norm().min(1.0);
         deviations.see((k.determinant() - printed) * gap / determinant_size(&k, &point));
     } => deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12");
 }

@@ -89,7 +89,7 @@ checks! {
     /// eq:SpTp: the printed double sums against the recurrence.
     sums_of_eigenvalues: sampled(1, 2000, 1..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
-        let pair = Pair::new(tau, delta);
+        let pair = EigenvaluePair::new(tau, delta);
         let size = pair.moduli();
         deviations.see((pair.s(p) - lucas_sequence(p, tau, delta)).norm() / size.s(p).re);
         if p > 1 {
@@ -99,7 +99,7 @@ checks! {
     /// H_p is the sum of the S_j / δ^(j−1).
     h_as_sum_of_s: sampled(2, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
-        let pair = Pair::new(tau, delta);
+        let pair = EigenvaluePair::new(tau, delta);
         let sum: f64 =
             (1..p).map(|j| lucas_sequence(j, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
         deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
@@ -110,7 +110,7 @@ checks! {
     difference_of_products: sampled(3, 2000, 1..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
         let raised = libm::pow(delta, f64::from(p) - 2.0);
-        let size = Pair::new(tau, delta).moduli();
+        let size = EigenvaluePair::new(tau, delta).moduli();
         let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
         let (s, s_before) = (lucas_sequence(p, tau, delta), lucas_sequence(p - 1, tau, delta));
         let (t, t_before) = (lucas_partial_sum(p, tau, delta), lucas_partial_sum(p - 1, tau, delta));

@@ -7,7 +7,7 @@ use crate::*;
 const ROUNDING: f64 = 1e-14;
 
 /// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing for the zero of V, by the chain rule through the oscillator's maps.
-fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
+fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, CheckError> {
     let vivid = derivatives(grazing, p)?;
     let impact = -vivid.by_impact.lu().solve(&vivid.by_parameter).ok_or("det J = 0")?;
     let oscillator = grazing.oscillator();
@@ -25,7 +25,7 @@ fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Fail
 }
 
 /// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ for 0 < j ≤ p by central differences of the visits of zeros of V.
-fn differences_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
+fn differences_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, CheckError> {
     let equations = equations(grazing, p);
     let h = 1e-4 * scale(grazing, p).ok_or("no emerging orbit")?;
     let visits = |mu: f64| equations.visits(&zero(grazing, p, mu)?, &EventTimes::default()).ok();
@@ -107,7 +107,7 @@ checks! {
     // The tolerance is that of eq:SpTp.
     first_position: sampled(4, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
-        let pair = Pair::new(tau, delta);
+        let pair = EigenvaluePair::new(tau, delta);
         let size = pair.moduli().t(p).re;
         let first = scaled_visit_position(1, p, tau, delta);
         let by_recurrence = (first + lucas_partial_sum(p, tau, delta)).abs();
@@ -117,7 +117,7 @@ checks! {
     // The tolerance is that of eq:Hp9.
     last_position: sampled(5, 2000, 2..=15) |sampler, p; deviations: Deviations| {
         let (tau, delta) = sampler.trapesium();
-        let pair = Pair::new(tau, delta);
+        let pair = EigenvaluePair::new(tau, delta);
         let raised = libm::pow(delta, f64::from(p - 2));
         let size = pair.moduli();
         let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;

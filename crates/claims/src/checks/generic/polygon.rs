@@ -113,7 +113,7 @@ checks! {
     // δ + 1 is rounded, which changes an eigenvalue by the rounding error over 1 − δ.
     sums_at_unit_eigenvalue: sampled(7, 1000, 2..=15) |sampler, p; deviations: Deviations| {
         let delta = sampler.between(0.001, 0.999);
-        let pair = Pair::new(delta + 1.0, delta);
+        let pair = EigenvaluePair::new(delta + 1.0, delta);
         deviations.see((pair.first - 1.0).norm() * (1.0 - delta));
         deviations.see((pair.second - delta).norm() * (1.0 - delta));
         let top = libm::pow(delta, f64::from(p));

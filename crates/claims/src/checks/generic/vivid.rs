@@ -10,7 +10,7 @@ pub(super) fn scale(grazing: &Grazing, p: u32) -> Option<f64> {
 }
 
 /// The admissible MPSs of the specimens with up to four loops, on the side of theorems 2.2 and 2.3.
-fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, Failure> {
+fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, CheckError> {
     let mut found = Vec::new();
     for grazing in specimens()?.into_iter().chain(delayed()?) {
         for p in 1..=4 {

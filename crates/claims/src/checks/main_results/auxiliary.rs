@@ -64,7 +64,7 @@ pub(crate) fn beyond_the_boundary() -> CheckResult {
 /// Whether an oscillator with τ ≤ −2√δ has a two-loop MPS on the side of βκ₂, as for larger τ.
 ///
 /// Near a p = 1 resonance of a nonlinear force the eigenvalues are near a₁₁ ≠ a₂₂.
-fn two_loops_below_the_boundary() -> Result<bool, Failure> {
+fn two_loops_below_the_boundary() -> Result<bool, CheckError> {
     let law = Law { delay: Exponential::constant(0.0), ..Law::nonlinear(damping_for_decay(1, 1, 0.5)) };
     let resonance = law.resonance(1, 1)?;
     let [_, omega] = resonance.orbit().oscillator().parameters();
@@ -82,7 +82,7 @@ fn two_loops_below_the_boundary() -> Result<bool, Failure> {
 /// The side on which simulation of the linear oscillator with this trace and determinant finds p-loop
 /// MPSs near grazing, and the sign of β. The rotation of its grazing orbits is 2πω₁/ω = 2π(1 + x), where
 /// 0 < x < ½ makes a₁₂ positive.
-fn observed(p: u32, tau: f64, delta: f64, factor: Side) -> Result<(Existence, Side), Failure> {
+fn observed(p: u32, tau: f64, delta: f64, factor: Side) -> Result<(Existence, Side), CheckError> {
     let turns = 1.0 + rotation(tau, delta, factor);
     let ratio = -libm::log(delta) / (4.0 * PI * turns);
     let zeta = ratio / (1.0 + ratio * ratio).sqrt();

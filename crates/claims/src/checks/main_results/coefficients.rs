@@ -4,14 +4,14 @@ use crate::*;
 
 /// A resonance with one of these numbers of loops at which |s^±| > 1/20 and the impact velocity along
 /// either curve exceeds η/5, so that the curves are resolved at small velocities.
-pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<ResonantSpecimen, Failure> {
+pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<ResonantSpecimen, CheckError> {
     loop {
         let loops = sampler.one_of(loops);
         let zeta = sampler.between(0.01, 0.15);
         let law = Law::random(sampler, zeta);
         // For p = 1 and n = 1 the frequency is about twice the natural one.
         let Ok(place) = ResonantSpecimen::find(law, loops, sampler.one_of(&[1, 2])) else { continue };
-        let clear = |curve: &Bifurcation| {
+        let clear = |curve: &TheoremCurve| {
             curve.stability.abs() > 0.05 && curve.leading.impact_velocity_slope.abs() > 0.2
         };
         if place.curves().iter().all(clear) {

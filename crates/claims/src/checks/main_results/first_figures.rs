@@ -5,7 +5,7 @@ use crate::*;
 use grazing_continuation::curve::{Curve, CurvePoint};
 
 /// The branch of p-loop MPSs that leaves grazing in Figure 2, its equations and 𝒜_graz.
-fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> {
+fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), CheckError> {
     let omega = printed("fig02_frequency");
     let grazing = Law::linear(printed("zeta"), printed("epsilon")).grazing(omega)?;
     let amplitude = grazing.primary();

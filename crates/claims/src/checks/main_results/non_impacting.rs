@@ -5,7 +5,7 @@ use crate::*;
 use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
 
 /// The fixed point (x*, z*) of P_global at μ by Newton's method.
-fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
+fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, CheckError> {
     let [primary, secondary] = orbit.oscillator().parameters();
     let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
     let mut point = Vector2::new(0.0, orbit.phase());
@@ -23,7 +23,7 @@ fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
 }
 
 /// A grazing orbit with the frequency as μ, which enters nonlinearly, away from the fold of 𝒜_graz(ω).
-fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
+fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, CheckError> {
     loop {
         let orbit = Law::random_grazing(sampler)?;
         let map = orbit.grazing_point().map;

@@ -6,7 +6,7 @@ use crate::*;
 pub(crate) fn returned<O: ImpactOscillator>(
     oscillator: &O,
     [position, phase]: [f64; 2],
-) -> Result<Vector2<f64>, Failure> {
+) -> Result<Vector2<f64>, CheckError> {
     let period = oscillator.forcing_period();
     let motion = oscillator.motion(State::at_rest(position, phase));
     let nearest = motion
@@ -19,7 +19,11 @@ pub(crate) fn returned<O: ImpactOscillator>(
 }
 
 /// The p-th iterate of `returned`.
-pub(crate) fn iterated(oscillator: &Specimen, loops: u32, start: [f64; 2]) -> Result<Vector2<f64>, Failure> {
+pub(crate) fn iterated(
+    oscillator: &Specimen,
+    loops: u32,
+    start: [f64; 2],
+) -> Result<Vector2<f64>, CheckError> {
     (0..loops).try_fold(start.into(), |here: Vector2<f64>, _| returned(oscillator, here.into()))
 }
 
@@ -27,7 +31,7 @@ pub(crate) fn iterated(oscillator: &Specimen, loops: u32, start: [f64; 2]) -> Re
 pub(crate) fn derivatives<O: ImpactOscillator>(
     grazing: &GrazingOrbit<O>,
     unit: f64,
-) -> Result<[Vector2<f64>; 3], Failure> {
+) -> Result<[Vector2<f64>; 3], CheckError> {
     let [primary, secondary] = grazing.oscillator().parameters();
     let by = |axis: usize| {
         // Rounding is 10⁻¹⁵ over the step; the error is its sixth power times seventh derivatives.

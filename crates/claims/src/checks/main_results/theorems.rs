@@ -98,7 +98,7 @@ fn generic_case(
     applies: bool,
     violated: Quantity,
     otherwise: Existence,
-) -> Result<bool, Failure> {
+) -> Result<bool, CheckError> {
     let seen = side_of_orbit(orbit, loops)?;
     Ok(match GenericGrazing::check(&orbit.grazing_point(), loops) {
         Ok(theorem) => applies && seen == Existence::On(theorem.side()),
@@ -114,7 +114,7 @@ fn resonant_case(
     applies: bool,
     violated: Quantity,
     otherwise: [Existence; 2],
-) -> Result<bool, Failure> {
+) -> Result<bool, CheckError> {
     Ok(match ResonantGrazing::check(&orbit.resonant_point(loops)?, 1e-11) {
         Ok(theorem) => applies && holds(orbit, loops, &theorem)?,
         Err(answer) => !applies && only(&answer, violated) && sides_of_curves(orbit, loops)? == otherwise,
@@ -127,8 +127,8 @@ fn swept(
     cases: Vec<Case>,
     wanted: impl Fn(u32) -> bool,
     count: &mut Votes,
-    verdict: fn(Case) -> Result<CaseVerdict, Failure>,
-) -> Result<(), Failure> {
+    verdict: fn(Case) -> Result<CaseVerdict, CheckError>,
+) -> Result<(), CheckError> {
     let cases: Vec<_> = cases.into_iter().filter(|case| wanted(case.loops)).collect();
     for verdict in rows(&cases, verdict, || ())? {
         match verdict {
@@ -142,7 +142,7 @@ fn swept(
 
 /// Oscillators at grazing that are not linear, with various forces, reset laws, β of either sign, and
 /// real eigenvalues; and linear ones within 0.01 of τ = h_p and of δ = 1.
-fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>, Failure> {
+fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>, CheckError> {
     let mut found = Vec::new();
     for orbit in specimens()? {
         found.extend((1..=4).map(|p| (orbit.clone(), p)));
@@ -175,7 +175,7 @@ fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>
 }
 
 /// Whether the hypotheses of Theorem 2.2 or 2.3 hold, as printed in the paper.
-fn speaks(point: &GrazingPoint, p: u32) -> Result<bool, Failure> {
+fn speaks(point: &GrazingPoint, p: u32) -> Result<bool, CheckError> {
     let GrazingPoint { map: LinearisedMap { a, b }, forcing_frequency, gamma, phi, psi } = *point;
     let alpha = 1.0 + phi - gamma * psi / forcing_frequency;
     let (tau, delta) = (a.m11 + a.m22, a.m11 * a.m22 - a.m12 * a.m21);
@@ -194,7 +194,7 @@ fn speaks(point: &GrazingPoint, p: u32) -> Result<bool, Failure> {
 }
 
 /// An oscillator with τ above h_p(δ) by this margin, and a₁₂ > 0: 1 + 1/(2p) < ω₁/ω < 1 + 1/p.
-fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
+fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, CheckError> {
     let theory = theory()?;
     let omega = |ratio: f64| theory.damped_natural_frequency() / ratio;
     let (mut near, mut far) = (1.0 + 0.5 / f64::from(p), 1.0 + 1.0 / f64::from(p));
@@ -210,7 +210,7 @@ fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
 
 /// Tests theorem 2.2 or 2.3 on the sweep's oscillators by continuation and simulation, and on others by
 /// simulation.
-fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
+fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Result<Votes, CheckError> {
     let mut count = Votes::default();
     for &(p, n) in resonances {
         // a₁₂ = 0 or κ_p = 0: the MPS that emerges is not unstable.
@@ -233,7 +233,7 @@ fn generic_votes(resonances: &[(u32, u32)], wanted: impl Fn(u32) -> bool) -> Res
 }
 
 /// Tests theorem 2.4 or 2.5 on the sweep's oscillators, and on these resonances of a nonlinear one.
-fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result<Votes, Failure> {
+fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result<Votes, CheckError> {
     let mut count = Votes::default();
     swept(resonant_cases()?, &wanted, &mut count, |case| Ok(ResonantRow::of(case)?.verdict()))?;
     for &(p, n) in others {
@@ -243,7 +243,7 @@ fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result
     Ok(count)
 }
 
-fn theory() -> Result<grazing_theorems::LinearOscillator, Failure> {
+fn theory() -> Result<grazing_theorems::LinearOscillator, CheckError> {
     Ok(grazing_theorems::LinearOscillator::new(ZETA, EPSILON)?)
 }
 
@@ -253,7 +253,7 @@ pub(super) fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
 }
 
 /// The grazing orbit at ω₁/ω = `ratio` of an oscillator with impacts of finite duration and this α.
-fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
+fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, CheckError> {
     let omega = theory()?.damped_natural_frequency() / ratio;
     let with = |size: f64| Law { delay: Exponential { size, ..DELAY }, ..Law::varying(ZETA) }.grazing(omega);
     let unit = with(1.0)?.grazing_point();
@@ -295,7 +295,7 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
 }
 
 /// Whether both curves exist for the stated sign of η, with the stated coefficients.
-fn holds(orbit: &Grazing, loops: u32, theorem: &ResonantGrazing) -> Result<bool, Failure> {
+fn holds(orbit: &Grazing, loops: u32, theorem: &ResonantGrazing) -> Result<bool, CheckError> {
     let located = ResonantGrazingPoint::find(orbit.oscillator(), loops, orbit.phase())?;
     let stated = [theorem.saddle_node(), theorem.period_doubling()];
     let mut all = sides_of_curves(orbit, loops)? == stated.map(|curve| Existence::On(curve.eta_side));

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use crate::*;
-use grazing_continuation::bifurcation::Bifurcation as Kind;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::AnyOscillator;
 use grazing_theorems::LinearOscillator;
 use grazing_unfold::diagram::DiagramCurve;
@@ -15,17 +15,17 @@ use serde::Deserialize;
 /// The window and the numbers of loops of Figure 7. The paper prints the figure without its numbers; they
 /// stand in figures/parameters.toml.
 #[derive(Deserialize)]
-pub(crate) struct Figure7 {
+pub(crate) struct Figure7Window {
     amplitude: [f64; 2],
     pub(crate) frequency: [f64; 2],
     pub(crate) loops: Vec<u32>,
 }
 
-impl Figure7 {
-    pub(crate) fn read() -> Result<Self, Failure> {
+impl Figure7Window {
+    pub(crate) fn read() -> Result<Self, CheckError> {
         #[derive(Deserialize)]
         struct File {
-            fig07: Figure7,
+            fig07: Figure7Window,
         }
         let File { fig07 } = toml::from_str(include_str!("../../../../../figures/parameters.toml"))?;
         Ok(fig07)
@@ -37,19 +37,19 @@ impl Figure7 {
 }
 
 /// The linear oscillator of the paper's figures.
-pub(crate) fn theory() -> Result<LinearOscillator, Failure> {
+pub(crate) fn theory() -> Result<LinearOscillator, CheckError> {
     Ok(LinearOscillator::new(printed("zeta"), printed("epsilon"))?)
 }
 
 /// The diagram of Figure 7, computed once.
-pub(crate) fn figure_7() -> Result<&'static Diagram, Failure> {
+pub(crate) fn figure_7() -> Result<&'static Diagram, CheckError> {
     static DIAGRAM: LazyLock<Result<Diagram, String>> =
         LazyLock::new(|| computed().map_err(|failure| failure.to_string()));
     Ok(DIAGRAM.as_ref().map_err(String::as_str)?)
 }
 
-fn computed() -> Result<Diagram, Failure> {
-    let figure = Figure7::read()?;
+fn computed() -> Result<Diagram, CheckError> {
+    let figure = Figure7Window::read()?;
     let grazing = theory()?.grazing(figure.frequency[0])?;
     let scope = Scope { window: figure.window(), loops: figure.loops, start: None };
     let diagram = || Diagram::compute(&AnyOscillator::new(grazing.model()), &scope, &Silent);
@@ -102,7 +102,7 @@ fn crossed(
     diagram: &Diagram,
     (curve, points): &(&DiagramCurve, Vec<Unknowns>),
     cases: &mut Votes,
-) -> Result<(), Failure> {
+) -> Result<(), CheckError> {
     let middle = points[points.len() / 2].clone();
     let equations = diagram.equations(curve.loops);
     let beside = |factor: f64| {
@@ -110,7 +110,7 @@ fn crossed(
         Some(equations.solution(&point))
     };
     let (lower, upper) = beside(0.98).zip(beside(1.02)).ok_or("no MPS beside the curve")?;
-    if curve.kind == Kind::Grazing {
+    if curve.kind == Bifurcation::Grazing {
         cases.see(points.iter().all(|point| equations.solution(point).ceiling().abs() < 1e-11));
         cases.see(lower.admissible() != upper.admissible());
         return Ok(());
@@ -132,7 +132,7 @@ pub(crate) fn boundaries() -> CheckResult {
     for region in diagram.regions.iter().filter(|region| region.loops > 0) {
         cases.see(region.doubt.is_none());
         let border = border(diagram, region);
-        let kinds = [Kind::SaddleNode, Kind::PeriodDoubling, Kind::Grazing];
+        let kinds = [Bifurcation::SaddleNode, Bifurcation::PeriodDoubling, Bifurcation::Grazing];
         cases.see(border.iter().all(|(curve, _)| kinds.contains(&curve.kind)));
         let on_edge = |at: [f64; 2]| window.shares(at).iter().any(|share| share.min(1.0 - share) < SAME);
         let on_curve = |at: [f64; 2]| {
@@ -169,7 +169,7 @@ checks! {
     /// solution.
     non_impacting_region: drawn(151, 60) |sampler; cases: Votes| {
         let theory = theory()?;
-        let [lowest, highest] = Figure7::read()?.frequency;
+        let [lowest, highest] = Figure7Window::read()?.frequency;
         let omega = sampler.between(lowest, highest);
         let grazing = theory.grazing(omega)?;
         let share = sampler.between(0.1, 0.999);

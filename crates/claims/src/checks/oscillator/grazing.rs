@@ -5,7 +5,7 @@ use crate::*;
 use grazing_model::LinearOscillator;
 
 /// The closed form at random parameters, and the grazing orbit found from a nearby start.
-fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscillator>), Failure> {
+fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscillator>), CheckError> {
     let (zeta, epsilon) = (sampler.between(0.005, 0.3), sampler.between(0.05, 1.0));
     let omega = sampler.between(0.3, 2.5);
     let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
@@ -18,8 +18,12 @@ fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscil
 /// parameters.
 fn compared(
     seed: u64,
-    mut sample: impl FnMut(&GrazingState, &GrazingOrbit<LinearOscillator>, &mut Deviations) -> Result<(), Failure>,
-) -> Result<Deviations, Failure> {
+    mut sample: impl FnMut(
+        &GrazingState,
+        &GrazingOrbit<LinearOscillator>,
+        &mut Deviations,
+    ) -> Result<(), CheckError>,
+) -> Result<Deviations, CheckError> {
     drawn(seed, 300, |sampler, largest: &mut Deviations| {
         let (closed, orbit) = both(sampler)?;
         sample(&closed, &orbit, largest)

@@ -6,7 +6,7 @@ use grazing_model::LinearOscillator;
 
 /// An oscillator with random parameters from their whole domains, with frequencies around the natural
 /// one.
-fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
+fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, CheckError> {
     Ok(LinearOscillator::new(
         sampler.between(0.005, 0.9),
         sampler.between(0.01, 1.0),

@@ -4,20 +4,20 @@ use crate::*;
 use grazing_theorems::{LinearOscillator, Unfolding};
 
 /// The resonance with general coefficients from data of the numerical P_global along the grazing curve.
-fn numerical(resonance: &Resonance) -> Result<ResonantPoint, Failure> {
+fn numerical(resonance: &Resonance) -> Result<ResonantPoint, CheckError> {
     let grazing = resonance.grazing();
     Ok(GrazingOrbit::find(&grazing.model(), grazing.phase())?.resonant_point(resonance.loops())?)
 }
 
 /// A resonance of an oscillator with random ζ and ε.
-fn random(sampler: &mut Sampler, loops: &[u32], indices: &[u32]) -> Result<Resonance, Failure> {
+fn random(sampler: &mut Sampler, loops: &[u32], indices: &[u32]) -> Result<Resonance, CheckError> {
     let (p, n) = (sampler.one_of(loops), sampler.one_of(indices));
     let (zeta, epsilon) = (sampler.between(0.005, 0.08), sampler.between(0.05, 0.95));
     Ok(LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?)
 }
 
 /// Compares the propositions' derivative, s⁺, s⁻, c_SN and c_PD with the numerical theory.
-fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Failure> {
+fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, CheckError> {
     drawn(seed, 150, |sampler, largest: &mut Deviations| {
         let resonance = random(sampler, loops, indices)?;
         let point = numerical(&resonance)?;

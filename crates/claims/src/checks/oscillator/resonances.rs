@@ -1,17 +1,20 @@
 //! Section 3.4: points of resonance.
 
-use super::diagram::Figure7;
+use super::diagram::Figure7Window;
 use crate::*;
 use grazing_theorems::LinearOscillator;
 
 /// The data of the numerical grazing orbit at a frequency, as the theorems use them.
-fn measured(theory: &LinearOscillator, omega: f64) -> Result<GrazingPoint, Failure> {
+fn measured(theory: &LinearOscillator, omega: f64) -> Result<GrazingPoint, CheckError> {
     let law = Law::linear(theory.damping_ratio(), theory.coefficient_of_restitution());
     Ok(law.grazing(omega)?.grazing_point())
 }
 
 /// All zeros in a range of ω₁/ω: sign changes over a fine grid, refined by bisection.
-fn zeros(value: impl Fn(f64) -> Result<f64, Failure>, [first, last]: [f64; 2]) -> Result<Vec<f64>, Failure> {
+fn zeros(
+    value: impl Fn(f64) -> Result<f64, CheckError>,
+    [first, last]: [f64; 2],
+) -> Result<Vec<f64>, CheckError> {
     const CELLS: i32 = 400;
     // An irregular grid: none of its points is a zero.
     let at = |k: i32| first + (last - first) * (f64::from(k) + 0.137) / f64::from(CELLS);
@@ -42,7 +45,7 @@ fn only_zeros(
     theory: &LinearOscillator,
     value: impl Fn(&GrazingPoint) -> f64,
     list: impl Iterator<Item = f64>,
-) -> Result<usize, Failure> {
+) -> Result<usize, CheckError> {
     let mut expected: Vec<f64> = list.filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio)).collect();
     expected.sort_by(f64::total_cmp);
     let omega_1 = theory.damped_natural_frequency();
@@ -68,7 +71,7 @@ pub(crate) fn indices() -> CheckResult {
         // Half a unit of the fourth decimal, relative to 0.39, and ratios up to 2.5.
         cases.see((omega_1 / frequency - ratio).abs() < 5e-4);
     }
-    let Figure7 { frequency: [lowest, highest], loops, .. } = Figure7::read()?;
+    let Figure7Window { frequency: [lowest, highest], loops, .. } = Figure7Window::read()?;
     for p in loops {
         let labelled = if p == 1 { vec![3, 4, 5] } else { vec![1, 2] };
         let found = theory.resonances(&[p], lowest, highest)?;
@@ -85,7 +88,7 @@ pub(crate) fn indices() -> CheckResult {
 }
 
 /// The zero of the VIVID function with a small y > 0.
-fn near_grazing(orbit: &Grazing, loops: u32) -> Result<Unknowns, Failure> {
+fn near_grazing(orbit: &Grazing, loops: u32) -> Result<Unknowns, CheckError> {
     let slope = orbit.grazing_point().emerging_orbit(loops)?.impact_velocity_slope;
     Ok(zero(orbit, loops, 1e-4 / slope).ok_or("no zero of the VIVID function")?)
 }
@@ -97,7 +100,7 @@ fn beside_resonance(sampler: &mut Sampler) -> (Law, u32, u32, f64) {
 }
 
 /// The frequencies with ω₁/ω = n + 1/(2p) and n − 1/(2p).
-fn frequencies(law: &Law, p: u32, n: u32) -> Result<[f64; 2], Failure> {
+fn frequencies(law: &Law, p: u32, n: u32) -> Result<[f64; 2], CheckError> {
     let theory = LinearOscillator::new(law.damping, 1.0)?;
     Ok([theory.resonance(p, n)?.forcing_frequency(), theory.virtual_resonance_frequency(p, n)?])
 }

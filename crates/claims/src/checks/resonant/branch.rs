@@ -13,7 +13,7 @@ const PARAMETER: f64 = 1e-15;
 const MAP: f64 = 1e-15;
 
 /// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
-fn branch_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn branch_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let branch = place.point().branch_expansion();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
@@ -37,7 +37,7 @@ fn parameter_column(place: &ResonantSpecimen) -> Vector2<f64> {
 }
 
 /// x⁽ᵖ⁾ as a polynomial in z⁽⁰⁾ − z_graz,η, coefficient by coefficient, and z⁽ᵖ⁾.
-fn return_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn return_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let symbols = place.symbols()?;
     let column = parameter_column(place);
     let jet = |x: f64, z: f64, mu: f64, eta: f64| {
@@ -101,7 +101,7 @@ impl Symbols {
 }
 
 /// V(y, Z, M, η) for arbitrary k₁, k₂, k₃ in eq:ZM.
-fn vivid_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn vivid_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let symbols = place.symbols()?;
     let by_parameter = parameter_column(place).x;
     let mut sampler = Sampler::new(8);
@@ -126,7 +126,7 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
     [trace - determinant - 1.0, trace + determinant + 1.0]
 }
 
-fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
     let by_eta = symbols.alpha * symbols.omega * symbols.f;

@@ -4,16 +4,16 @@ use super::discussion::of_figure_7;
 use super::simulation::next_impact;
 use crate::checks::oscillator::diagram::{figure_7, theory};
 use crate::*;
-use grazing_continuation::bifurcation::Bifurcation as Kind;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::cascade::Cascade;
 use grazing_continuation::criticality::{changes, period_doubling};
 use grazing_continuation::curve::Curve;
 use grazing_continuation::doubled::DoubledEquations;
 use grazing_theorems::LimitMap;
-use grazing_unfold::resonances::Resonance as FoundResonance;
+use grazing_unfold::resonances::FoundResonance;
 
 /// Admissible points of a PD curve, evenly spaced along it.
-fn flips(curve: &Curve, count: usize) -> Result<Vec<Unknowns>, Failure> {
+fn flips(curve: &Curve, count: usize) -> Result<Vec<Unknowns>, CheckError> {
     let solutions = curve.points.iter().map(|point| &point.solution);
     let points: Vec<&PeriodicSolution> =
         solutions.filter(|solution| solution.impact_velocity() > 1e-4 && solution.admissible()).collect();
@@ -25,7 +25,7 @@ fn flips(curve: &Curve, count: usize) -> Result<Vec<Unknowns>, Failure> {
 fn doubled<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     flip: &Unknowns,
-) -> Result<(bool, Unknowns), Failure> {
+) -> Result<(bool, Unknowns), CheckError> {
     let equations = DoubledEquations::new(equations);
     let beside = 0.1 * flip[unknown::VELOCITY];
     let doubled = equations.near(flip, beside).ok_or("no period-doubled MPS beside a PD point")?;
@@ -89,12 +89,12 @@ pub(crate) fn criticality_of_figure_7() -> CheckResult {
         }
     }
     let (diagram, mut changed) = (figure_7()?, 0);
-    for curve in diagram.curves.iter().filter(|curve| curve.kind == Kind::PeriodDoubling) {
+    for curve in diagram.curves.iter().filter(|curve| curve.kind == Bifurcation::PeriodDoubling) {
         let oscillator = theory()?.grazing(curve.curve.parameters()[0][1])?.model();
         let equations = LoopEquations::new(oscillator, curve.loops, Formulation::FixedPhase);
         changed += changes(&equations, &curve.curve).iter().filter(|solution| solution.admissible()).count();
         let unstable = flips(&curve.curve, 25)?.into_iter().map(|flip| Ok(doubled(&equations, &flip)?.0));
-        let unstable = unstable.collect::<Result<Vec<bool>, Failure>>()?;
+        let unstable = unstable.collect::<Result<Vec<bool>, CheckError>>()?;
         unstable.iter().for_each(|unstable| print.see(*unstable));
         // At either end at a resonance, also those of two loops at resonances of one loop.
         let points = &curve.curve.points;

@@ -9,7 +9,7 @@ pub(super) const PHASE: f64 = 1e-13;
 const PARAMETER: f64 = 1e-15;
 
 /// The η at which the leading term gives this impact velocity.
-pub(super) fn eta_at(curve: &Bifurcation, velocity: f64) -> f64 {
+pub(super) fn eta_at(curve: &TheoremCurve, velocity: f64) -> f64 {
     velocity / curve.leading.impact_velocity_slope
 }
 
@@ -19,7 +19,7 @@ pub(super) fn along_curves(
     place: &ResonantSpecimen,
     stated: f64,
     rounding: f64,
-    remainders: impl Fn(&Bifurcation, f64, &Near) -> Option<Vec<f64>>,
+    remainders: impl Fn(&TheoremCurve, f64, &Near) -> Option<Vec<f64>>,
 ) -> Vec<Observed> {
     let mut found = Vec::new();
     for curve in &place.curves() {
@@ -40,14 +40,14 @@ pub(super) fn along_curves(
     found
 }
 
-fn velocity_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn velocity_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
         Some(vec![near.unknowns[0] - curve.leading.impact_velocity_slope * eta])
     }))
 }
 
 /// μ minus c_SN η² on the SN and c_PD η² on the PD curve, from M(Υ⁺, η) and M(Υ⁻, η).
-fn coefficient_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn coefficient_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let branch = place.point().branch_expansion();
     Ok(quadratic_orders(place, |curve, eta| branch.parameter(curve.leading.impact_velocity_slope * eta, eta)))
 }
@@ -57,7 +57,7 @@ fn coefficient_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure
 /// At each size the larger remainder at η and −η is used, so that terms of higher order do not cancel.
 pub(crate) fn quadratic_orders(
     place: &ResonantSpecimen,
-    stated: impl Fn(&Bifurcation, f64) -> f64,
+    stated: impl Fn(&TheoremCurve, f64) -> f64,
 ) -> Vec<Observed> {
     along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
         let other = place.on_curve(curve, -eta)?;
@@ -69,7 +69,7 @@ pub(crate) fn quadratic_orders(
 /// The orders of μ minus the theorem's quadratic approximations, each only on its side of η = 0.
 fn approximations(seed: u64, which: Loops) -> CheckResult {
     let measure = |place: &ResonantSpecimen| {
-        let approximation = |curve: &Bifurcation, eta: f64| {
+        let approximation = |curve: &TheoremCurve, eta: f64| {
             let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
             stated.unwrap_or(f64::NAN)
         };
@@ -84,14 +84,14 @@ fn approximations(seed: u64, which: Loops) -> CheckResult {
 }
 
 /// The orders for M(Υ^±, η) with Υ⁺ in both, as printed.
-fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
 /// Tests that an MPS on the curves is admissible for the stated sign of η, and that y < 0 for the other.
-fn sides(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), Failure> {
+fn sides(place: &ResonantSpecimen, cases: &mut Votes) -> Result<(), CheckError> {
     for curve in place.curves() {
         let sign = curve.leading.eta_side.signum();
         for velocity in [1e-3, 3e-4, 1e-4] {
@@ -150,7 +150,7 @@ checks! {
     // Tens of roundings; T_p is used in closed form on one side only, where κ_p is up to 10⁻¹³.
     simplification: everywhere(ANY) |place; largest: Deviations| {
         let branch = place.point().branch_expansion();
-        for Bifurcation { leading, .. } in place.curves() {
+        for TheoremCurve { leading, .. } in place.curves() {
             let slope = leading.impact_velocity_slope;
             let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
             largest.compare(branch.parameter(slope, 1.0), leading.coefficient, terms);

@@ -67,7 +67,7 @@ impl Cure {
 }
 
 /// The orders of D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) minus its expansion.
-fn global_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
+fn global_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, CheckError> {
     let symbols = place.symbols()?;
     Ok(entries([1.0, 2.0, 1.0, 1.0], GLOBAL, |&[x, z, mu, eta]| {
         let near = place.near([0.0, z, mu, eta])?;
@@ -81,7 +81,7 @@ fn global_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, 
 }
 
 /// The orders of y U minus eq:yU.
-fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
+fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, CheckError> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
@@ -106,7 +106,7 @@ const STEP: f64 = 2e-3;
 const PARAMETER_STEP: f64 = 5e-4;
 
 /// ξ_p, d_p, e_p, f_p by differences of P_global^p; f_p at fixed z and along the grazing curve.
-pub(super) struct Differences {
+pub(super) struct MapDifferences {
     d: f64,
     e: f64,
     f_fixed: f64,
@@ -114,7 +114,7 @@ pub(super) struct Differences {
     pub(super) xi: f64,
 }
 
-pub(super) fn differences(place: &ResonantSpecimen) -> Option<Differences> {
+pub(super) fn differences(place: &ResonantSpecimen) -> Option<MapDifferences> {
     let phase = place.fixed_phase();
     let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
         let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
@@ -122,7 +122,7 @@ pub(super) fn differences(place: &ResonantSpecimen) -> Option<Differences> {
             Some(global_iterate::<_, 1>(&oscillator, place.loops(), AtRest::new(x, from + z)).ok()?.value[0])
         })
     };
-    Some(Differences {
+    Some(MapDifferences {
         xi: slope(STEP, |z| by_phase(0.0, phase + z, 0.0, 0.0))?,
         d: slope(STEP, |x| by_phase(x, phase, 0.0, 0.0))?,
         e: slope(PARAMETER_STEP, |mu| by_phase(0.0, phase, mu, 0.0))?,
@@ -132,7 +132,7 @@ pub(super) fn differences(place: &ResonantSpecimen) -> Option<Differences> {
 }
 
 /// Compares a₁₂' or a₁₂ ∂S_p/∂η, by differences along the grazing curve, with a₁₂' or eq:fp.
-fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), Failure> {
+fn slope_gaps(place: &ResonantSpecimen, largest: &mut Deviations) -> Result<(), CheckError> {
     let (map, loops) = (place.point().grazing.map, place.loops());
     let by_eta = place.along_grazing(1e-3, |loops, LinearisedMap { a, .. }| {
         if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) }

@@ -2,7 +2,7 @@
 
 use super::derivatives::differences;
 use crate::checks::main_results::returns::derivatives;
-use crate::checks::oscillator::diagram::{Figure7, figure_7, is_vertex, theory};
+use crate::checks::oscillator::diagram::{Figure7Window, figure_7, is_vertex, theory};
 use crate::*;
 use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::fit::quadratic_coefficient;
@@ -14,10 +14,10 @@ use grazing_unfold::progress::Silent;
 
 /// n ω* is twice the damped natural frequency if p = 1 and the force is linear, but not otherwise.
 pub(crate) fn rational_multiples() -> CheckResult {
-    let spread = |law: Law| -> Result<f64, Failure> {
+    let spread = |law: Law| -> Result<f64, CheckError> {
         let products = (2..=4_u32)
             .map(|n| Ok(f64::from(n) * ResonantSpecimen::find(law, 1, n)?.point().grazing.forcing_frequency));
-        let products = products.collect::<Result<Vec<f64>, Failure>>()?;
+        let products = products.collect::<Result<Vec<f64>, CheckError>>()?;
         let [low, high] = [f64::min, f64::max]
             .map(|choose| products.iter().copied().reduce(choose).expect("there are three"));
         Ok((high - low) / high)
@@ -33,8 +33,8 @@ pub(crate) fn rational_multiples() -> CheckResult {
 
 /// All resonances in the window of Figure 7, with their n: those with p = 1 and n = 3, 4, 5, p = 2 and 3
 /// with n = 1, 2, and, which the text does not name, p = 1 with n = 2.
-pub(super) fn of_figure_7() -> Result<Vec<(u32, ResonantSpecimen)>, Failure> {
-    let Figure7 { frequency: [lowest, highest], loops, .. } = Figure7::read()?;
+pub(super) fn of_figure_7() -> Result<Vec<(u32, ResonantSpecimen)>, CheckError> {
+    let Figure7Window { frequency: [lowest, highest], loops, .. } = Figure7Window::read()?;
     let law = Law::linear(printed("zeta"), printed("epsilon"));
     let listed = theory()?.resonances(&loops, lowest, highest)?;
     let place = |at: &Resonance| Ok((at.index(), ResonantSpecimen::find(law, at.loops(), at.index())?));
@@ -116,7 +116,7 @@ pub(super) const ROUTE: Route = Route {
 
 /// Whether the SN curve leaves a resonance to higher frequencies and the PD curve to lower ones, or the
 /// other way round; each MPS on them is admissible on one side alone.
-fn leaves_upwards(place: &ResonantSpecimen) -> Result<bool, Failure> {
+fn leaves_upwards(place: &ResonantSpecimen) -> Result<bool, CheckError> {
     let mut upwards = Vec::new();
     for curve in place.curves() {
         for side in [1.0, -1.0] {

@@ -20,7 +20,7 @@ impl Symbols {
     }
 }
 
-fn trace_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
+fn trace_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, CheckError> {
     let symbols = place.symbols()?;
     let one = |direction: &Offset| {
         let observed = order(|size| {
@@ -35,7 +35,7 @@ fn trace_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, F
     Ok(offsets(4).iter().map(one).collect())
 }
 
-fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let grazing = place.point().grazing;
     let power = libm::pow(grazing.map.determinant(), f64::from(place.loops()));
     let slope = grazing.phi * grazing.phi * power;
@@ -52,7 +52,7 @@ fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure
 
 /// The orders of continuity: y T and y D are three times differentiable across y = 0, as stated for F and
 /// R in C⁵.
-fn seam_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn seam_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let rounding = 32.0 * place.symbols()?.rounding();
     let part = |pick: fn(Multipliers) -> f64| {
         seam(rounding, |y| {
@@ -67,7 +67,7 @@ fn seam_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
 const BESIDE: [f64; 2] = [0.03, -0.02];
 
 /// The limit −α ω a₁₂ S_p of y T at η beside the resonance.
-fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
+fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, CheckError> {
     let limit = |eta| {
         let point = place.grazing(eta)?.grazing_point();
         Some(-point.alpha() * point.forcing_frequency * point.map.iterate(place.loops()).a.m12)
@@ -77,7 +77,7 @@ fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
 }
 
 /// Away from the resonance y T → −α ω a₁₂ S_p ≠ 0, so |T| grows without bound as y → 0.
-fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
+fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, CheckError> {
     let one = |(eta, limit): (f64, f64)| {
         // A limit of zero would not be a divergence.
         let observed = order(|size| {

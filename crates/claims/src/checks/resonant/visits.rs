@@ -15,7 +15,7 @@ fn recoil(near: &Near) -> Option<Vector2<f64>> {
 
 impl ResonantSpecimen {
     /// d(z⁽⁰⁾ − z_graz,η)/dη on a curve, in the two forms of eq:admp8b.
-    fn recoil_phase_slopes(&self, curve: &Bifurcation) -> Result<[f64; 2], Failure> {
+    fn recoil_phase_slopes(&self, curve: &TheoremCurve) -> Result<[f64; 2], CheckError> {
         let symbols = self.symbols()?;
         let (k_1, modulus) = (self.point().branch_expansion().k_1, -symbols.power.m11);
         let alpha_omega = symbols.alpha * symbols.omega;

@@ -8,9 +8,9 @@ use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::grazing::GrazingEnd;
 use grazing_unfold::nothing::place;
 use grazing_unfold::own_curves::FoundCurve;
+use grazing_unfold::unfolded::Unfolded;
 
 use crate::layout::Layout;
-use crate::unfold::analysis::Analysis;
 use crate::unfold::reason;
 
 /// The most findings of a kind that are listed one by one.
@@ -44,7 +44,7 @@ pub(super) fn unfinished(
 }
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
-pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let lines = |of: String, curve: &Curve| {
         let ends = [curve.points.first(), curve.points.last()].into_iter().zip(curve.lost());
         let line = |(point, reason): (Option<&CurvePoint>, Option<String>)| {
@@ -76,7 +76,7 @@ pub(super) fn odd_ends(layout: Layout, description: &Description, unfolded: &Ana
 }
 
 /// Where it is not decided whether solutions are stable, with the reason.
-pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
     let own = unfolded.diagram.regions.iter().map(|region| (format!("p = {}", region.loops), region));
     let both = unfolded.sequences.solutions.iter().filter(|found| found.stops.len() > 1);
@@ -108,7 +108,7 @@ pub(super) fn undecided(layout: Layout, description: &Description, unfolded: &An
 const REGIONS: &str = "data/regions.csv";
 
 /// Regions that are in the diagram but too thin to be seen.
-pub(super) fn thin(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(super) fn thin(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let regions = reason::thin(description, &unfolded.axes.units, &unfolded.diagram);
     let entries = regions.into_iter().map(|(loops, line)| (format!("  p = {loops}  "), line));
     let entries = few(entries.collect(), "regions", REGIONS);
@@ -148,7 +148,7 @@ mod tests {
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::grazing::GrazingCurve;
-    use grazing_unfold::own_curves::Found;
+    use grazing_unfold::own_curves::FoundCurves;
     use grazing_unfold::resonances::Unlocated;
     use grazing_unfold::unfinished::Unfinished;
 
@@ -172,7 +172,7 @@ mod tests {
             codimension_two: Vec::new(),
             regions: Vec::new(),
             requested: Vec::new(),
-            own: Found::default(),
+            own: FoundCurves::default(),
             unlocated: vec![Unlocated {
                 loops: 1,
                 near: [0.25, 0.5],

@@ -5,21 +5,20 @@ use grazing_input::Description;
 use grazing_results::{brief, with_unit};
 use grazing_unfold::nothing::place;
 use grazing_unfold::resonances::STAGE;
-use grazing_unfold::unfolded::{AtResonance, CurveFinding, curves};
+use grazing_unfold::unfolded::{AtResonance, CurveFinding, Unfolded, curves};
 use grazing_unfold::verdict::Verdict;
 use grazing_unfold::verification::Simulated;
 
 use super::gaps::few;
 use super::{PARAMETER, QUANTITY, loops, parameter_heads};
 use crate::layout::{KEPT, Layout};
-use crate::unfold::analysis::Analysis;
 use crate::unfold::numbers::{fixed, significant};
 
 /// Digits of coefficients.
 const COEFFICIENT: usize = 9;
 
 /// Resonances at which a theorem holds, and the coefficients there.
-pub(super) fn resonances(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(super) fn resonances(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let [secondary_head, primary_head] = parameter_heads(description);
     let all = &unfolded.resonances;
@@ -129,7 +128,7 @@ fn coefficient((at, kind, CurveFinding { coefficient, simulated }): CurveAt<'_>)
 }
 
 /// Resonances at which no theorem applies, with the hypotheses that fail and their values.
-pub(super) fn failing_theorems(layout: Layout, description: &Description, unfolded: &Analysis) -> String {
+pub(super) fn failing_theorems(layout: Layout, description: &Description, unfolded: &Unfolded) -> String {
     let failing = unfolded.resonances.iter().filter(|at| at.curves.is_none());
     let entries = failing.map(|at| {
         let failing: Vec<String> = at.failing().collect();

@@ -3,11 +3,11 @@
 use grazing_results::Dimensioned;
 
 use crate::layout::{KEPT, Layout};
-use crate::unfold::analysis::Analysis;
 use grazing_results::brief;
+use grazing_unfold::unfolded::Unfolded;
 
 /// Ranges that would show more, as the command line takes them.
-pub(super) fn suggested(layout: Layout, unfolded: &Analysis) -> String {
+pub(super) fn suggested(layout: Layout, unfolded: &Unfolded) -> String {
     let Some(suggested) = unfolded.diagram.suggested_window() else { return String::new() };
     let units = &unfolded.axes.units;
     let (now, then) =

@@ -18,7 +18,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use self::chromium::Browser;
-use grazing_explore::{Example, Limits, Server, Sheet};
+use grazing_explore::{Example, ExportedFile, Limits, Server};
 use serde_json::Value;
 
 /// The windows of a desktop computer and of a phone.
@@ -56,7 +56,7 @@ impl Running {
             Example { name: "Duffing".to_owned(), file: "duffing.toml".to_owned(), text: Some(text) },
         ];
         let export = |_: &_, what: &str, _: &str, _: &_| {
-            Ok(Sheet { name: "taken".to_owned(), kind: "text/csv", content: what.as_bytes().to_vec() })
+            Ok(ExportedFile { name: "taken".to_owned(), kind: "text/csv", content: what.as_bytes().to_vec() })
         };
         let server = Server::bind(0, limits, "cargo xtask", examples, Box::new(export)).unwrap();
         let address = server.address();

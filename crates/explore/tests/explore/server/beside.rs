@@ -1,7 +1,7 @@
 //! Additions to the diagram: straightened curves, measurements, other ordinates, curves through
 //! solutions, places as figures.
 
-use grazing_explore::{Figure, Seen, Sheet};
+use grazing_explore::{ExportedFile, Figure, Seen};
 use serde_json::{Value, json};
 
 use super::running::{LIMITS, Running, events};
@@ -11,7 +11,7 @@ use super::{narrow, whole_view};
 fn exporting(told: fn(&Figure) -> Value) -> Running {
     let export = move |seen: &Seen, _: &str, _: &str, _: &_| {
         let content = told(&seen.figure).to_string().into_bytes();
-        Ok(Sheet { name: "taken".to_owned(), kind: "application/json", content })
+        Ok(ExportedFile { name: "taken".to_owned(), kind: "application/json", content })
     };
     Running::with(LIMITS, Box::new(export), || None)
 }

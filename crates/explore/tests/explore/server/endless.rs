@@ -7,7 +7,7 @@ use std::sync::{Arc, mpsc};
 use std::thread;
 use std::time::Duration;
 
-use grazing_explore::{Limits, Sheet};
+use grazing_explore::{ExportedFile, Limits};
 use grazing_model::motion::Motion;
 use grazing_model::smooth::{Stop, Stoppable};
 use grazing_model::{AnyOscillator, ImpactOscillator, LinearOscillator, State};
@@ -148,7 +148,7 @@ fn who_never_reads_loses_turn_and_connection() {
     assert!(served(&server, "place", &place([0.3, 0.8])));
     // Answers in one piece do not hold connections for ever either.
     let large = |_: &_, _: &str, _: &str, _: &_| {
-        Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: vec![b' '; 50_000_000] })
+        Ok(ExportedFile { name: "a.csv".to_owned(), kind: "text/csv", content: vec![b' '; 50_000_000] })
     };
     let server = Running::with(limits, Box::new(large), || None);
     let view = json!({"primary": [0.0, 0.01], "secondary": [0.7, 0.71]});
@@ -165,7 +165,7 @@ fn who_never_reads_loses_turn_and_connection() {
 fn a_computation_that_does_not_hear_loses_its_turn() {
     let released = Arc::new(AtomicBool::new(false));
     let until = released.clone();
-    let deaf = move |_: &_, _: &str, _: &str, _: &_| -> Result<Sheet, String> {
+    let deaf = move |_: &_, _: &str, _: &str, _: &_| -> Result<ExportedFile, String> {
         while !until.load(Ordering::Relaxed) {
             thread::sleep(Duration::from_millis(10));
         }

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use grazing_explore::{Example, Export, Limits, Server, Sheet};
+use grazing_explore::{Example, Export, ExportedFile, Limits, Server};
 use grazing_model::smooth::Stop;
 use serde_json::Value;
 
@@ -43,7 +43,9 @@ impl Running {
 
     pub(crate) fn with_memory(limits: Limits, held: impl Fn() -> Option<f64> + Send + 'static) -> Self {
         let export = |_: &_, what: &str, _: &str, _: &Stop| match what {
-            "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
+            "csv:a" => {
+                Ok(ExportedFile { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() })
+            }
             other => Err(format!("{other} is not made")),
         };
         Self::with(limits, Box::new(export), held)

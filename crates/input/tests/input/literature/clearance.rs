@@ -34,12 +34,12 @@ fn undamped() -> Integrated<Description> {
 }
 
 /// The closed forms at one frequency.
-struct ClosedForms {
+struct LinearOscillator {
     published: Published,
     letters: Vec<(&'static str, f64)>,
 }
 
-impl ClosedForms {
+impl LinearOscillator {
     fn at(omega: f64, n: u32) -> Self {
         let restitution = description(EXAMPLE).constants().find(|(name, _)| *name == "r").expect("r").1;
         let letters = vec![("omega", omega), ("n", f64::from(n)), ("r", restitution)];
@@ -93,14 +93,14 @@ fn bifurcation(curve: &Curve, condition: Condition) -> [f64; 2] {
 fn the_orbit_without_impacts_grazes_at_the_published_amplitude() {
     for omega in [1.7, 2.0, 2.5, 3.7, 4.3] {
         // The integrator's tolerance.
-        assert_within(grazing(omega).primary(), ClosedForms::at(omega, 1).value("gamma").abs(), 1e-12);
+        assert_within(grazing(omega).primary(), LinearOscillator::at(omega, 1).value("gamma").abs(), 1e-12);
     }
 }
 
 #[test]
 fn impact_velocities_along_a_branch_lie_on_the_published_ellipse() {
     for (omega, n) in [(1.9, 1), (2.1, 1), (3.9, 2), (4.2, 2), (5.8, 3)] {
-        let closed = ClosedForms::at(omega, n);
+        let closed = LinearOscillator::at(omega, n);
         let curve = branch(omega, n);
         let mut compared = 0;
         for point in &curve.points {
@@ -124,7 +124,7 @@ fn impact_velocities_along_a_branch_lie_on_the_published_ellipse() {
 #[test]
 fn saddle_node_bifurcations_lie_at_the_published_clearance() {
     for (omega, n) in [(1.9, 1), (3.7, 2), (3.9, 2), (5.8, 3)] {
-        let closed = ClosedForms::at(omega, n);
+        let closed = LinearOscillator::at(omega, n);
         let [velocity, clearance] = bifurcation(&branch(omega, n), Condition::SADDLE_NODE);
         let tip = closed.value("greatest_clearance");
         // The integrator's tolerance.
@@ -140,7 +140,7 @@ fn saddle_node_bifurcations_lie_at_the_published_clearance() {
 #[test]
 fn period_doublings_lie_at_the_published_impact_velocity() {
     for (omega, n) in [(2.1, 1), (2.3, 1), (4.2, 2), (6.2, 3)] {
-        let closed = ClosedForms::at(omega, n);
+        let closed = LinearOscillator::at(omega, n);
         let [velocity, clearance] = bifurcation(&branch(omega, n), Condition::PERIOD_DOUBLING);
         // The integrator's tolerance.
         assert_within(velocity, closed.value("period_doubling_velocity"), 1e-12);
@@ -151,7 +151,7 @@ fn period_doublings_lie_at_the_published_impact_velocity() {
 #[test]
 fn resonances_and_their_coefficients_are_those_of_the_published_formulas() {
     for n in [1, 2, 3] {
-        let resonant = ClosedForms::at(2.0, n).value("resonance");
+        let resonant = LinearOscillator::at(2.0, n).value("resonance");
         let orbit = grazing(resonant - 0.03);
         let equations = LoopEquations::new(undamped(), n, Formulation::Vivid);
         let start = Unknowns::new(0.0, orbit.phase(), orbit.primary(), resonant - 0.03);
@@ -166,7 +166,7 @@ fn resonances_and_their_coefficients_are_those_of_the_published_formulas() {
         // − 1), ρ = (1 − r)/(2n), k = k'η, k' = π(1 + r)/(4n), and the ellipse is μ = −(V²ρ² + 4 g
         // k V)/(8g). It is greatest at V = −2gk/ρ², where μ = g(k'/ρ)² η²/2: c_SN. The period
         // doubling has V = 2πngη/(1 + r), which gives c_PD.
-        let closed = ClosedForms::at(resonant, n);
+        let closed = LinearOscillator::at(resonant, n);
         let r = closed.letters[2].1;
         let (g, ratio) = (closed.value("gamma").abs(), (1.0 - r) / (1.0 + r));
         let saddle_node = 0.125 * PI * PI * g / (ratio * ratio);
@@ -184,7 +184,7 @@ fn resonances_and_their_coefficients_are_those_of_the_published_formulas() {
 #[test]
 fn with_damping_the_theorems_hold_and_tend_to_the_published_formulas() {
     for n in [1, 2] {
-        let closed = ClosedForms::at(2.0 * f64::from(n), n);
+        let closed = LinearOscillator::at(2.0 * f64::from(n), n);
         let r = closed.letters[2].1;
         let (g, ratio) = (closed.value("gamma").abs(), (1.0 - r) / (1.0 + r));
         let limit = 0.125 * PI * PI * g / (ratio * ratio);

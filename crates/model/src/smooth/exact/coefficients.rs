@@ -42,7 +42,7 @@ pub(super) struct Harmonic {
 
 /// The force −k x − c ẋ + f₀ + Σ f_m(z).
 #[derive(Clone, Debug)]
-pub(super) struct Coefficients {
+pub(super) struct LinearForce {
     pub(super) frequency: Jet<SECOND>,
     pub(super) stiffness: Jet<SECOND>,
     pub(super) damping: Jet<SECOND>,
@@ -53,7 +53,7 @@ pub(super) struct Coefficients {
     pub(super) harmonics: SmallVec<[Harmonic; 1]>,
 }
 
-impl Coefficients {
+impl LinearForce {
     /// The coefficients of an oscillator's force at its parameters; `None` where its flow has no closed
     /// form, or one that loses digits.
     pub(super) fn of<M: SmoothOscillator>(oscillator: &Integrated<M>) -> Option<Self> {

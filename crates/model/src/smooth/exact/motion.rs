@@ -6,8 +6,10 @@ use smallvec::SmallVec;
 
 use super::super::motion::IntegratedMotion;
 use super::super::oscillator::SmoothOscillator;
-use super::coefficients::Coefficients;
-use crate::motion::{BoundedMotion, Bounds, Crossing, Enclosure, Kinematics, Maximum, Motion, Walk};
+use super::coefficients::LinearForce;
+use crate::motion::{
+    BoundedMotion, Crossing, DerivativeBounds, Enclosure, Kinematics, Maximum, Motion, Walk,
+};
 use crate::state::State;
 use crate::tolerances::MOST_STRIDES;
 
@@ -87,7 +89,7 @@ pub struct Formula {
 
 impl Formula {
     /// The motion from a state, which does not exist unless it `begins`.
-    pub(super) fn new(coefficients: &Coefficients, from: State, begins: bool) -> Self {
+    pub(super) fn new(coefficients: &LinearForce, from: State, begins: bool) -> Self {
         let [k, c, load, omega] =
             [&coefficients.stiffness, &coefficients.damping, &coefficients.load, &coefficients.frequency]
                 .map(|jet| jet.value());
@@ -151,7 +153,7 @@ impl Formula {
     }
 
     /// Bounds of the derivatives between two times.
-    fn bounds_between(&self, times: [f64; 2]) -> Bounds {
+    fn bounds_between(&self, times: [f64; 2]) -> DerivativeBounds {
         let (mut acceleration, mut jerk, mut snap) = (2.0 * self.polynomial[2].abs(), 0.0, 0.0);
         let mut add = |size: f64, rate: f64| {
             let square = rate * rate;
@@ -176,12 +178,12 @@ impl Formula {
         for (rate, [p, q]) in &self.harmonics {
             add((p * p + q * q).sqrt(), *rate);
         }
-        Bounds { acceleration, jerk, snap }
+        DerivativeBounds { acceleration, jerk, snap }
     }
 }
 
 /// The power series of x(t) at the beginning: (n + 2)(n + 1) x_{n+2} = f_n − k x_n − (n + 1) c x_{n+1}.
-fn series(coefficients: &Coefficients, from: State) -> [f64; TERMS] {
+fn series(coefficients: &LinearForce, from: State) -> [f64; TERMS] {
     let [k, c, load, omega] =
         [&coefficients.stiffness, &coefficients.damping, &coefficients.load, &coefficients.frequency]
             .map(|jet| jet.value());
@@ -268,15 +270,15 @@ impl BoundedMotion for Formula {
 struct Bounded<'a> {
     motion: &'a Formula,
     horizon: f64,
-    bounds: Bounds,
+    bounds: DerivativeBounds,
 }
 
 impl Enclosure for Bounded<'_> {
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> DerivativeBounds {
         self.bounds
     }
 
-    fn bounds_between(&self, from: f64, to: f64) -> Bounds {
+    fn bounds_between(&self, from: f64, to: f64) -> DerivativeBounds {
         // They hold at any time; the last stride may end beyond the horizon by rounding.
         self.motion.bounds_between([from, to])
     }

@@ -1,6 +1,6 @@
 //! Steps of the collocation whose start, time and length move along a curve.
 
-use super::{Pair, Step};
+use super::{PositionVelocity, Step};
 use crate::scalar::Scalar;
 use crate::smooth::factors::Factors;
 use crate::smooth::oscillator::{Integrated, SmoothOscillator};
@@ -23,10 +23,10 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// errors thirty times as large as the order before.
     pub(in crate::smooth) fn series_after(
         &self,
-        from: Pair<Taylor>,
+        from: PositionVelocity<Taylor>,
         time: Taylor,
         step: &Step,
-    ) -> Option<Pair<Taylor>> {
+    ) -> Option<PositionVelocity<Taylor>> {
         let share = 1.0 / f64::from(PARTS);
         let mut state = from;
         for part in 0..PARTS {
@@ -47,10 +47,10 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// order.
     pub(in crate::smooth) fn series_shifted(
         &self,
-        from: Pair<Taylor>,
+        from: PositionVelocity<Taylor>,
         time: Taylor,
         by: Taylor,
-    ) -> Pair<Taylor> {
+    ) -> PositionVelocity<Taylor> {
         let [x, y] = from.map(|component| component.value());
         let accelerations = Stages::constant(self.force(x, y, time.value()));
         // Newton's matrix of a step of length zero is the identity.
@@ -62,11 +62,11 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// with the matrix at s = 0 adds one order.
     fn series_step(
         &self,
-        [x0, y0]: Pair<Taylor>,
+        [x0, y0]: PositionVelocity<Taylor>,
         [time, length]: [Taylor; 2],
         plain: Stages,
         factors: &Factors,
-    ) -> Pair<Taylor> {
+    ) -> PositionVelocity<Taylor> {
         let [mu, eta] = self.parameters.map(Taylor::constant);
         let mut accelerations: Orders = [Stages::constant(0.0); Taylor::ORDER + 1];
         accelerations[0] = plain;

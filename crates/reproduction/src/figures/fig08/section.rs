@@ -15,7 +15,7 @@ keys! {
     /// Figure 8: magnifications of Figure 7.
     pub struct Figure8 {
         /// The panels from left to right.
-        panels: Vec<Panel> = tables(0..=MOST_PANELS),
+        panels: Vec<MagnifiedResonance> = tables(0..=MOST_PANELS),
             "[[fig08.panels]] must be at most three tables, one for each magnification; without any they are chosen";
         /// Sentences about contents that differ from those requested.
         notes: Vec<String> = unwritten();
@@ -24,7 +24,7 @@ keys! {
 
 keys! {
     /// One magnification around a resonance.
-    pub struct Panel {
+    pub struct MagnifiedResonance {
         /// The loops p of the resonance.
         loops: u32 = count(1..=MOST_LOOPS), "the number of loops must be a whole number from {} to {}";
         /// Its integer n (eq:resonance1 for p = 1, eq:resonancep with the plus sign for p >= 2).
@@ -37,13 +37,13 @@ keys! {
         frequency: Option<[f64; 2]> = maybe(range()),
             "the forcing frequencies must be a range [lower, upper] inside fig07.frequency";
         /// What takes the place of those that are to be chosen, if it fits.
-        near: Option<Near> = maybe(table()), "the table [fig08.panels.near] holds amplitude and frequency";
+        near: Option<NearWindow> = maybe(table()), "the table [fig08.panels.near] holds amplitude and frequency";
     }
 }
 
 keys! {
     /// A window that may be replaced.
-    pub struct Near {
+    pub struct NearWindow {
         /// The forcing amplitudes.
         amplitude: [f64; 2] = range(), "the forcing amplitudes must be a range [lower, upper]";
         /// The forcing frequencies.
@@ -75,7 +75,7 @@ impl FileSection for Figure8 {
             }
         }
         // From the last to the first, so that the positions of the remaining ones do not change.
-        for (index, at, Panel { loops: p, n, .. }) in replaced.into_iter().rev() {
+        for (index, at, MagnifiedResonance { loops: p, n, .. }) in replaced.into_iter().rev() {
             let (key, reason) = match fig07.loops.contains(&p) {
                 true => ("n", "does not lie in the window of Figure 7"),
                 false => ("loops", "is not in Figure 7, as its p is not among fig07.loops"),
@@ -84,7 +84,7 @@ impl FileSection for Figure8 {
             let missing = format!("{key}: the resonance p = {p}, n = {n} {reason}");
             match take(&mut free, p) {
                 Some(other) => {
-                    let Panel { loops, n, .. } = other;
+                    let MagnifiedResonance { loops, n, .. } = other;
                     self.notes.push(format!("{missing}; the panel shows p = {loops}, n = {n} instead"));
                     self.panels.insert(index, other);
                 }
@@ -99,13 +99,19 @@ impl FileSection for Figure8 {
 
 /// Takes the resonance with the highest frequency out of the list for a panel: one with p loops if there
 /// is one.
-fn take(free: &mut Vec<Resonance>, p: u32) -> Option<Panel> {
+fn take(free: &mut Vec<Resonance>, p: u32) -> Option<MagnifiedResonance> {
     let last = free.iter().rposition(|resonance| resonance.loops() == p).or(free.len().checked_sub(1))?;
     let taken = free.remove(last);
-    Some(Panel { loops: taken.loops(), n: taken.index(), amplitude: None, frequency: None, near: None })
+    Some(MagnifiedResonance {
+        loops: taken.loops(),
+        n: taken.index(),
+        amplitude: None,
+        frequency: None,
+        near: None,
+    })
 }
 
-impl Panel {
+impl MagnifiedResonance {
     /// Adopts the parts of the replaceable window that fit, and returns whether the panel can be shown.
     /// It cannot if its p is not among those of Figure 7, or if its resonance lies outside the window of
     /// Figure 7 and the panel has no mandatory window.
@@ -137,7 +143,7 @@ impl Panel {
             }
         }
         let there = axes.iter().all(|&(_, whole, value)| contains(whole, value)) || shown != [None; 2];
-        if let Some(Near { amplitude, frequency }) = self.near {
+        if let Some(NearWindow { amplitude, frequency }) = self.near {
             let near = [amplitude, frequency];
             let fits = |(near, (_, whole, value)): ([f64; 2], (_, [f64; 2], f64))| {
                 strictly_contains(near, value) && encloses(whole, near)

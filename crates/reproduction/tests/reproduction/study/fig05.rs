@@ -5,13 +5,13 @@ use std::sync::{Arc, LazyLock};
 
 use grazing_drawing::SheetWidth;
 use grazing_model::State;
-use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
+use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_reproduction::StudyFigure;
 use grazing_reproduction::figures::fig05::{Figure5, UnfoldingSketch};
 use grazing_theorems::Resonance;
 
 use super::{closed_forms, forced, made, numbers, theory, words};
-use grazing_trials::closed_form::{self, Orbit};
+use grazing_trials::closed_form::ClosedFormOrbit;
 
 static SHOWN: LazyLock<Figure5> = LazyLock::new(|| made().parameters.section().expect("it is right"));
 static FIGURE: LazyLock<Arc<UnfoldingSketch>> =
@@ -26,10 +26,10 @@ fn parameters_at(mu: f64, eta: f64) -> (f64, f64) {
 }
 
 /// The MPSs in closed form at (μ, η), without virtual and inadmissible ones.
-fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
+fn solutions(mu: f64, eta: f64) -> Vec<ClosedFormOrbit> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let all = closed_forms(amplitude, omega, SHOWN.loops);
-    all.into_iter().filter(Orbit::admissible).collect()
+    all.into_iter().filter(ClosedFormOrbit::admissible).collect()
 }
 
 /// Vertices (μ, η) of the region of a kind.
@@ -152,7 +152,7 @@ fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
 }
 
 /// The impacts (velocity, phase) of an orbit that starts close to an MPS, in the last of many periods.
-fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]> {
+fn last_impacts(mu: f64, eta: f64, from: &ClosedFormOrbit, closeness: f64) -> Vec<[f64; 2]> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let oscillator = forced(amplitude, omega);
     let period = f64::from(SHOWN.loops) * TAU / omega;
@@ -160,7 +160,7 @@ fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]
     let periods = 400.0;
     // Half a period more, so that no impact coincides with the end.
     let horizon = (periods + 0.5) * period;
-    let flights = Simulation::new(&oscillator, start, horizon, 100_000);
+    let flights = Orbit::new(&oscillator, start, horizon, 100_000);
     let mut impacts = Vec::new();
     for flight in flights {
         if let FlightEnd::Impact(state) = flight.end
@@ -210,7 +210,7 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
             // Motion that starts slightly lower returns without reaching the wall: the free motion only
             // decays.
             let from = State { position: 1.001 * position, velocity, phase };
-            let mut orbit = Simulation::new(&oscillator, from, 50.0 * TAU / omega, 1000);
+            let mut orbit = Orbit::new(&oscillator, from, 50.0 * TAU / omega, 1000);
             assert_eq!(orbit.by_ref().count(), 1);
             assert_eq!(orbit.impacts(), 0);
         }
@@ -228,7 +228,7 @@ fn closed_form_solutions_are_those_of_the_branch_expansion() {
     let worst = |s: f64| {
         let eta = s * edge;
         let mu = 0.25 * resonance.saddle_node_coefficient() * eta * eta;
-        let found: Vec<closed_form::Orbit> = solutions(mu, eta);
+        let found: Vec<ClosedFormOrbit> = solutions(mu, eta);
         assert_eq!(found.len(), 2, "both MPSs between SN and grazing");
         found.iter().map(|o| (branch.parameter(o.velocity, eta) / mu - 1.0).abs()).fold(0.0, f64::max)
     };

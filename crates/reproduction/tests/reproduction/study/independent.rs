@@ -6,12 +6,12 @@ use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
 use super::{closed_forms, flags, integers, made, numbers, words};
-use grazing_trials::closed_form::Orbit;
+use grazing_trials::closed_form::ClosedFormOrbit;
 
 /// The closed-form MPS with the impact velocity nearest to the given one.
-fn nearest(amplitude: f64, omega: f64, loops: u32, velocity: f64) -> Orbit {
+fn nearest(amplitude: f64, omega: f64, loops: u32, velocity: f64) -> ClosedFormOrbit {
     let all = closed_forms(amplitude, omega, loops);
-    let distance = |orbit: &Orbit| (orbit.velocity - velocity).abs();
+    let distance = |orbit: &ClosedFormOrbit| (orbit.velocity - velocity).abs();
     all.into_iter()
         .min_by(|a, b| distance(a).total_cmp(&distance(b)))
         .unwrap_or_else(|| panic!("no {loops}-loop MPS at ({omega}, {amplitude})"))
@@ -119,7 +119,7 @@ fn codimension_two_points_meet_both_their_conditions() {
             continue;
         }
         let all = closed_forms(amplitude[k], omega[k], loops[k]);
-        let doubly = |orbit: &Orbit| {
+        let doubly = |orbit: &ClosedFormOrbit| {
             (orbit.trace + 1.0 + orbit.determinant).abs() < 1e-7 && orbit.ceiling.abs() < 1e-9
         };
         assert!(all.iter().any(doubly), "{all:?}");

@@ -20,18 +20,18 @@ use grazing_reproduction::figures::fig02::Figure2;
 use grazing_reproduction::figures::fig07::Figure7;
 use grazing_reproduction::figures::fig08::Figure8;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::{Coefficients, Study, TheoremsInAction};
+use grazing_reproduction::{ComparedCoefficients, Study, TheoremsInAction};
 use grazing_results::branches::OneParameter;
 use grazing_results::plane::{Magnifications, PlaneDiagram};
 use grazing_results::{Cell, Names, Row};
-use grazing_trials::closed_form::{Orbit, orbits};
+use grazing_trials::closed_form::{ClosedFormOrbit, orbits};
 
 /// All results of the reproduction, computed once for all tests.
 pub(crate) struct Made {
     /// The study, which computes each figure once.
     pub(crate) study: Study,
     parameters: Parameters,
-    pub(crate) coefficients: Vec<Coefficients>,
+    pub(crate) coefficients: Vec<ComparedCoefficients>,
     fig02: Arc<OneParameter>,
     fig07: Arc<PlaneDiagram>,
     fig08: Arc<Magnifications>,
@@ -70,7 +70,7 @@ fn forced(amplitude: f64, frequency: f64) -> LinearOscillator {
 }
 
 /// All MPSs of the paper's oscillator from the quadratic equation.
-fn closed_forms(amplitude: f64, frequency: f64, loops: u32) -> Vec<Orbit> {
+fn closed_forms(amplitude: f64, frequency: f64, loops: u32) -> Vec<ClosedFormOrbit> {
     let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
     orbits(zeta, epsilon, amplitude, frequency, loops)
 }

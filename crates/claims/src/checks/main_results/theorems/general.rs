@@ -5,7 +5,7 @@ use crate::*;
 use grazing_unfold::simulation::Suspect;
 
 /// The side of generic grazing on which simulation finds the MPS that is a zero of V.
-pub(crate) fn side_of_orbit(orbit: &Grazing, loops: u32) -> Result<Existence, Failure> {
+pub(crate) fn side_of_orbit(orbit: &Grazing, loops: u32) -> Result<Existence, CheckError> {
     let point = orbit.grazing_point();
     let emerging = point.emerging_orbit(loops)?;
     // So small that the expansion decides where the loops lie; close to h_p one loop is shallow.
@@ -22,7 +22,7 @@ pub(crate) fn side_of_orbit(orbit: &Grazing, loops: u32) -> Result<Existence, Fa
 
 /// The sign of η for which simulation finds each bifurcation, by MPSs on both sides of the multiplier's
 /// crossing.
-pub(super) fn sides_of_curves(orbit: &Grazing, loops: u32) -> Result<[Existence; 2], Failure> {
+pub(super) fn sides_of_curves(orbit: &Grazing, loops: u32) -> Result<[Existence; 2], CheckError> {
     let point = orbit.resonant_point(loops)?;
     let saddle_node = side_of_curve(orbit, loops, &point, (1.0, point.saddle_node_velocity_slope()))?;
     let flip = side_of_curve(orbit, loops, &point, (-1.0, point.period_doubling_velocity_slope()))?;
@@ -34,7 +34,7 @@ fn side_of_curve(
     loops: u32,
     point: &ResonantPoint,
     (multiplier, slope): (f64, f64),
-) -> Result<Existence, Failure> {
+) -> Result<Existence, CheckError> {
     let equations = equations(orbit, loops);
     let origin = unknowns(orbit, [0.0; 3]);
     let phase_slope = orbit.phase_slope() + slope * point.branch_expansion().k_1;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use askama::Template;
-use grazing_input::{Description, Limits};
+use grazing_input::{AnalysisLimits, Description};
 use grazing_model::smooth::{SmoothOscillator as _, Stop};
 use grazing_model::{ImpactOscillator as _, State};
 use grazing_results::Stability;
@@ -11,11 +11,11 @@ use grazing_unfold::described::Prepared;
 use grazing_unfold::place::{Place, Solution, Starts};
 use grazing_unfold::progress::Silent;
 
-use crate::arguments::Export;
+use crate::arguments::ExportArguments;
 use crate::failure::Failure;
 use crate::folder::{self, OutputFile};
 use crate::oscillator::OscillatorFile;
-use crate::runner::{Outcome, Plan, Running};
+use crate::runner::{CommandOutcome, Plan, Running};
 use crate::template::rendered;
 
 /// The folder of the results, with a folder in it for each file.
@@ -59,9 +59,9 @@ struct Script<'a> {
 ///
 /// # Errors
 /// Bad input.
-pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
-    let Export { file, at, changes, output } = arguments;
-    let of = OscillatorFile::read(file, &changes.set, Limits::USUAL)?;
+pub(crate) fn read(arguments: &ExportArguments) -> Result<Plan<'_>, Failure> {
+    let ExportArguments { file, at, changes, output } = arguments;
+    let of = OscillatorFile::read(file, &changes.set, AnalysisLimits::USUAL)?;
     let of = of.looped(changes.loops.as_deref())?;
     // AUTO reads the name in quotes, and the system as that of an object file.
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
@@ -70,7 +70,7 @@ pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
     let names = [format!("{name}.f90"), format!("{name}.dat"), format!("c.{name}"), format!("{name}.auto")];
     let paths = names.map(PathBuf::from);
     let places = paths.clone();
-    let limits = (Limits::USUAL, of.taken);
+    let limits = (AnalysisLimits::USUAL, of.taken);
     let compute = move |running: &Running<'_>| {
         best(&of.description, *at, &running.stop())
             .map_err(|failure| running.failure(file, "nothing was written", || failure))
@@ -88,7 +88,7 @@ pub(crate) fn read(arguments: &Export) -> Result<Plan<'_>, Failure> {
             solution.loops,
             folder.display()
         );
-        Ok(Outcome { remark, ..Outcome::unlisted(files, folder)? })
+        Ok(CommandOutcome { remark, ..CommandOutcome::unlisted(files, folder)? })
     };
     Ok(Plan::new(compute, say).within(file, limits).writing(folder, places))
 }
