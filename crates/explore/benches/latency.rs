@@ -90,7 +90,7 @@ fn ability_3_place_dragged(bencher: Bencher<'_, '_>) {
     let beside: Value = beside.parse().unwrap();
     let list = |name: &str| beside[name].as_array().unwrap().iter();
     let solutions = list("solutions").filter(|one| one["p"] != 0);
-    let solutions = solutions.map(|one| json!([one["p"], one["velocity"], one["phase"]]));
+    let solutions = solutions.map(|one| &one["known"]);
     let attractors = list("attractors").map(|one| json!([one["states"], one["state"]]));
     let mut asked = place([0.6, 0.8]);
     asked["nearby"] =

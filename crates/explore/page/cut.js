@@ -151,9 +151,9 @@ export function draw() {
   line(value.place[at], ink.place, []);
   // The solutions at the place, if velocities are the ordinate.
   if (ordinate.name === "impact velocity") {
-    for (const { p, impacts } of told()?.solutions ?? []) {
-      const velocities = p === 0 ? [0] : impacts.map(([velocity]) => velocity);
-      for (const velocity of velocities) ring(context, to([value.place[at], velocity]), solutionInk({ p, impacts: impacts.length }, ink));
+    for (const solution of told()?.solutions ?? []) {
+      const velocities = solution.p === 0 ? [0] : solution.known.impacts.map(([velocity]) => velocity);
+      for (const velocity of velocities) ring(context, to([value.place[at], velocity]), solutionInk(solution, ink));
     }
   }
   if (marks.pointer !== null) line(marks.pointer, ink.muted, [3, 3]);

@@ -292,7 +292,7 @@ export function list() {
       "tr",
       {},
       ...[each.p, each.n ?? "–", number(each.primary, 6), number(each.secondary, 6), number(each.c_sn), number(each.c_pd)].map((cell) => make("td", {}, String(cell))),
-      make("td", { class: `words ${each.holds ? "good" : "bad"}` }, each.holds ? "holds" : each.failing),
+      make("td", { class: `words ${each.theorem_holds ? "good" : "bad"}` }, each.theorem_holds ? "holds" : each.failing),
       make("td", {}, make("button", { type: "button", class: "small", onclick: () => zoomTo(each), "aria-label": `Zoom to the resonance p = ${each.p}, n = ${each.n}` }, "Zoom")),
     ),
   );

@@ -41,7 +41,7 @@ export function follow(value, live) {
 }
 
 /** Whether a solution is the followed one. */
-export const isFollowed = (solution, at) => {
+export const isFollowed = (known, at) => {
   const { follow: own } = state.get();
-  return own !== null && own.p === solution.p && own.impacts.join() === solution.impacts.join() && own.at.join() === at.join();
+  return own !== null && own.p === known.p && own.impacts.join() === known.impacts.join() && own.at.join() === at.join();
 };

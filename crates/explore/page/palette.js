@@ -52,10 +52,10 @@ export const loopsNames = () => inks().loops.map((_, p, { length }) => (p === 0 
 /** The inks of attractors, by kind, as in the simulated plane. */
 export function attractorInks(attractors) {
   const ink = inks();
-  return attractors.map(({ kind, loops }) => {
-    if (kind === "non-impacting") return ink.loops[0];
-    if (loops) return loopsInk(loops, ink);
-    return kind === "periodic" ? ink.periodic : ["chaotic", "unsettled"].includes(kind) ? ink.irregular : ink.wall;
+  return attractors.map(({ motion, periods, impacts, rests }) => {
+    if (motion === "non-impacting") return ink.loops[0];
+    if (motion !== "periodic") return ["chaotic", "unsettled"].includes(motion) ? ink.irregular : ink.wall;
+    return !rests && Math.round(impacts * periods) === 1 ? loopsInk(periods, ink) : ink.periodic;
   });
 }
 

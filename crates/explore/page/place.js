@@ -39,12 +39,11 @@ function struckAt(all, second) {
 }
 
 /** The name of an attractor. */
-function nameOf({ kind, periods, impacts, second, rests, loops, waited }) {
-  if (kind === "unsettled") return `Not settled after ${waited} periods`;
-  if (kind === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
-  if (kind !== "periodic") return KINDS[kind] ?? kind;
+function nameOf({ motion, periods, impacts, impacts_at_wall_2: second, rests, waited }) {
+  if (motion === "unsettled") return `Not settled after ${waited} periods`;
+  if (motion === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
+  if (motion !== "periodic") return KINDS[motion] ?? motion;
   if (description.walls > 1 && !rests && second !== null) return `Periodic: ${struckAt(Math.round(impacts * periods), Math.round(second * periods))} in ${count(periods, "period")}`;
-  if (loops) return `MPS, ${count(loops, "loop")}`;
   // Infinitely many impacts are null.
   const struck = Math.round((impacts ?? 0) * periods);
   if (rests) {
@@ -56,17 +55,18 @@ function nameOf({ kind, periods, impacts, second, rests, loops, waited }) {
 }
 
 /** The numbers of impacts and periods of a solution, briefly: p, or with several impacts "3/2". */
-const numbers = ({ p, impacts }) => (impacts.length > 1 ? `${impacts.length}/${p}` : String(p));
+const numbers = ({ p, impacts }) => (impacts > 1 ? `${impacts}/${p}` : String(p));
+
+/** Whether a solution is stable, in a word. */
+const stability = ({ stable }) => ({ true: "stable", false: "unstable" })[stable] ?? stable;
+const isGood = ({ stable, admissible }) => stable === true && admissible;
 
 /** The name of a solution with the velocity of its slowest impact. */
-function nameOfSolution({ p, impacts, stops }) {
-  if (impacts.length === 0) return KINDS["non-impacting"];
-  const at = stops?.length > 0 ? stops : impacts.map(() => 0);
-  const kind = description.walls > 1 ? `${struckAt(at.length, at.filter((stop) => stop === 1).length)} in ${count(p, "period")}` : impacts.length === 1 ? `MPS, ${count(p, "loop")}` : `${count(impacts.length, "impact")} in ${count(p, "period")}`;
-  return `${kind}, velocity ${number(impacts[0][0], 3)}`;
+function nameOfSolution({ p, impacts, impact_velocity: velocity, known: { stops } }) {
+  if (impacts === 0) return KINDS["non-impacting"];
+  const kind = description.walls > 1 ? `${struckAt(impacts, stops.filter((stop) => stop === 1).length)} in ${count(p, "period")}` : impacts === 1 ? `MPS, ${count(p, "loop")}` : `${count(impacts, "impact")} in ${count(p, "period")}`;
+  return `${kind}, velocity ${number(velocity, 3)}`;
 }
-
-const inkOf = ({ p, impacts }) => solutionInk({ p, impacts: impacts.length });
 
 const percent = (share) => `${Math.round(100 * share)} %`;
 /** The keys of solutions, "p-k" for the k-th with this p, or "K/p-k". */
@@ -186,9 +186,8 @@ class Card {
     else if (this.longer?.of === JSON.stringify([body.model, body.at])) body.periods = this.longer.periods;
     // If a complete search takes too long, only known motion is followed during dragging.
     if (live && this.answer && this.slow && this.known === knownAs(body)) {
-      const struck = this.answer.solutions.filter(({ p }) => p > 0);
-      const solutions = struck.map(({ p, impacts }) => [p, impacts]);
-      body.nearby = { solutions, stops: struck.map(({ stops }) => stops), attractors: this.answer.attractors.map(({ states, state }) => [states, state]) };
+      const solutions = this.answer.solutions.filter(({ p }) => p > 0).map(({ known }) => known);
+      body.nearby = { solutions, attractors: this.answer.attractors.map(({ states, state }) => [states, state]) };
     }
     return body;
   }
@@ -240,17 +239,18 @@ class Card {
       const share = make("span", { class: "share" });
       share.style.width = `${100 * each.share}%`;
       share.style.background = inks[index];
-      const rates = each.kind === "non-impacting" || each.impacts === null ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} per period`];
-      const sure = each.exponent_error > 0 ? ` ± ${number(each.exponent_error, 1)}` : "";
+      const rates = each.motion === "non-impacting" || each.impacts === null ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} per period`];
+      const { lyapunov_exponent: rate, lyapunov_error: error } = each;
+      const sure = error > 0 ? ` ± ${number(error, 1)}` : "";
       const forgets = each.rests && each.periods ? [rates.length ? " · " : "", "forgets its state at rest: multipliers 0"] : [];
-      const exponent = each.exponent === null ? forgets : [rates.length ? " · " : "", make("span", { title: "Displacements grow like exp(λt)" }, "largest Lyapunov exponent ", make("i", {}, "λ"), ` = ${number(each.exponent, 3)}${sure}${description.units.time ? ` / ${description.units.time}` : ""}`)];
-      const on = each.kind === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it for four times as long", onclick: () => this.goOn(4 * each.waited) }, "Continue")] : [];
+      const exponent = rate === null ? forgets : [rates.length ? " · " : "", make("span", { title: "Displacements grow like exp(λt)" }, "largest Lyapunov exponent ", make("i", {}, "λ"), ` = ${number(rate, 3)}${sure}${description.units.time ? ` / ${description.units.time}` : ""}`)];
+      const on = each.motion === "unsettled" ? [" ", make("button", { type: "button", class: "small", title: "Follow it for four times as long", onclick: () => this.goOn(4 * each.waited) }, "Continue")] : [];
       return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the initial states that reach it" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent, ...on));
     });
     const starts = count(this.answer.states, "random start");
     const others = missed.map((each) => {
       const swatch = make("span", { class: "swatch open", "aria-hidden": "true" });
-      swatch.style.color = inkOf(each);
+      swatch.style.color = solutionInk(each);
       return make("li", {}, swatch, make("span", { class: "name" }, nameOfSolution(each)), make("b", {}, "0 %"), make("span", { class: "detail" }, `stable, but none of the ${starts} reached it`));
     });
     const head = make("li", { class: "head" }, `Reached from ${starts}`);
@@ -262,9 +262,8 @@ class Card {
       const key = keys[index];
       const pressed = this.drawn.has(key);
       const button = make("button", { type: "button", class: "small toggle", "data-key": key, "aria-pressed": pressed, "aria-label": `Draw ${nameOfSolution(each)}`, onclick: () => this.toggle(key) }, numbers(each));
-      button.style.setProperty("--ink", inkOf(each));
-      const velocity = each.p === 0 ? "–" : number(each.impacts[0][0], 4);
-      return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stability === "stable", each.stability), mark(each.admissible));
+      button.style.setProperty("--ink", solutionInk(each));
+      return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, number(each.impact_velocity, 4)), make("td", {}, multipliers(each.multipliers)), mark(each.stable === true, stability(each)), mark(each.admissible));
     });
     this.table.replaceChildren(...lines);
     if (focused !== null) this.table.querySelector(`[data-key="${focused}"]`)?.focus();
@@ -276,7 +275,7 @@ class Card {
   /** Stable solutions that no start has reached, where all motion was looked for. */
   missed() {
     const { solutions, followed } = this.answer;
-    return followed ? [] : solutions.filter(({ stability, admissible, reached }) => stability === "stable" && admissible && !reached);
+    return followed ? [] : solutions.filter((each) => isGood(each) && !each.reached);
   }
 
   /** Follows unsettled motion for longer. */
@@ -296,13 +295,13 @@ class Card {
     const found = solutions[keysOf(solutions).indexOf(key)];
     this.follows.hidden = this.key === "kept" || !(found?.p > 0);
     if (this.follows.hidden) return;
-    const { p, impacts, stops } = found;
+    const { p, impacts, known } = found;
     const button = (patch, ...words) => make("button", { type: "button", class: "small", onclick: () => state.update(patch) }, ...words);
     const along = (axis, cut) => button({ cut, ordinate: "impact velocity" }, "along ", ...elements(axisPieces(axis)));
-    const on = isFollowed(found, at);
-    const held = button({ follow: on ? null : { at, p, impacts, stops } }, "at this velocity");
+    const on = isFollowed(known, at);
+    const held = button({ follow: on ? null : { at, ...known } }, "at this velocity");
     held.setAttribute("aria-pressed", on);
-    const of = impacts.length > 1 ? [`${numbers(found)}: `] : [make("i", {}, "p"), ` = ${p}: `];
+    const of = impacts > 1 ? [`${numbers(found)}: `] : [make("i", {}, "p"), ` = ${p}: `];
     this.follows.replaceChildren("Follow ", ...of, along(description.primary, "secondary"), along(description.secondary, "primary"), held);
   }
 
@@ -317,7 +316,7 @@ class Card {
     const inks = attractorInks(attractors);
     const keys = keysOf(solutions);
     const moving = attractors.map(({ orbit, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: periods ? 1.4 : 0.7, periods, repeats: Boolean(periods) }));
-    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map((each) => ({ orbit: each.orbit ?? [], ink: inkOf(each), wide: 1.4, dashed: each.stability !== "stable", periods: each.p || 1, repeats: true }));
+    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map((each) => ({ orbit: each.orbit ?? [], ink: solutionInk(each), wide: 1.4, dashed: each.stable !== true, periods: each.p || 1, repeats: true }));
     const strikes = attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] }));
     // The attractor of most states is drawn on top.
     drawPortraits(this, { orbits: [...moving.reverse(), ...extra], strikes: strikes.reverse(), period, beyond });
@@ -327,8 +326,8 @@ class Card {
     const { attractors, solutions } = this.answer;
     const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
     const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of the states`).join("; ");
-    const named = (each) => (each.impacts.length > 1 ? nameOfSolution(each) : `p = ${each.p}`);
-    const stable = solutions.filter((each) => each.p > 0 && each.stability === "stable" && each.admissible).map(named);
+    const named = (each) => (each.impacts > 1 ? nameOfSolution(each) : `p = ${each.p}`);
+    const stable = solutions.filter((each) => each.p > 0 && isGood(each)).map(named);
     const missed = this.missed().map(named);
     speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${stable.length ? `Stable and admissible: ${stable.join(", ")}.` : "No solution with impacts is stable and admissible."}${missed.length ? ` Reached by none of the ${this.answer.states} states: ${missed.join(", ")}.` : ""}`);
   }

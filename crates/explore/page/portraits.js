@@ -124,12 +124,12 @@ export function drawPortraits(canvases, { orbits, strikes, period, beyond = [] }
   }
 
   const struck = strikes.flatMap((each) => each.strikes);
-  const top = struck.length ? 1.08 * Math.max(...struck.map(([, v]) => Math.abs(v))) : 1;
-  const sign = struck.some(([, v]) => v < 0) ? -1 : 1;
+  const top = struck.length ? 1.08 * Math.max(...struck.map(([v]) => Math.abs(v))) : 1;
+  const sign = struck.some(([v]) => v < 0) ? -1 : 1;
   // Phases are shifted so that the impacts are close together: those on both sides of phase 0 are neighbours.
   const spread = (list) => (list.length ? Math.max(...list) - Math.min(...list) : 0);
-  const about = ([z]) => (z > Math.PI ? z - 2 * Math.PI : z);
-  const turned = spread(struck.map(about)) < spread(struck.map(([z]) => z));
+  const about = ([, z]) => (z > Math.PI ? z - 2 * Math.PI : z);
+  const turned = spread(struck.map(about)) < spread(struck.map(([, z]) => z));
   const from = turned ? -Math.PI : 0;
   const impacts = picture(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase", ""]], unit: "rad" }, { range: sign > 0 ? [0, top] : [-top, 0], ...speedTitle([["impact velocity", ""]]), at: 11 });
   if (impacts) {
@@ -139,9 +139,9 @@ export function drawPortraits(canvases, { orbits, strikes, period, beyond = [] }
       // The more impacts, the fainter, down to the opacity at which a single one is visible.
       const size = list.length > 60 ? 1.4 : 3;
       context.globalAlpha = list.length > 60 ? Math.max(0.5, 1 - list.length / 8000) : 1;
-      for (const place of list) {
+      for (const strike of list) {
         context.beginPath();
-        context.arc(...to([turned ? about(place) : place[0], place[1]]), size, 0, 2 * Math.PI);
+        context.arc(...to([turned ? about(strike) : strike[1], strike[0]]), size, 0, 2 * Math.PI);
         context.fill();
       }
       context.globalAlpha = 1;

@@ -50,13 +50,13 @@ function motion() {
   const { attractors, period } = place.told();
   return [
     ["attractor", "what", `t${unit(description.units.time)}`, "t / T", length(), `v${speed()}`],
-    ...attractors.flatMap(({ orbit, kind }, index) => (orbit ?? []).flat().map(([t, x, v]) => [index + 1, kind, t, t / period, x, v])),
+    ...attractors.flatMap(({ orbit, motion }, index) => (orbit ?? []).flat().map(([t, x, v]) => [index + 1, motion, t, t / period, x, v])),
   ];
 }
 
 const impacts = () => [
   ["attractor", "what", "phase of impact (rad)", `velocity of impact${speed()}`],
-  ...place.told().attractors.flatMap(({ strikes, kind }, index) => (strikes ?? []).map((strike) => [index + 1, kind, ...strike])),
+  ...place.told().attractors.flatMap(({ strikes, motion }, index) => (strikes ?? []).map(([velocity, phase]) => [index + 1, motion, phase, velocity])),
 ];
 
 const hasPlace = () => place.told() !== null;

@@ -23,7 +23,7 @@ function tell(words) {
 function nearest() {
   const { primary: [a, b], secondary: [c, d] } = viewOf(state.get());
   const far = ({ primary, secondary }) => Math.hypot((primary - a) / (b - a) - 0.5, (secondary - c) / (d - c) - 0.5);
-  const found = diagram.resonances.filter(({ holds }) => holds).sort((one, other) => far(one) - far(other))[0];
+  const found = diagram.resonances.filter(({ theorem_holds }) => theorem_holds).sort((one, other) => far(one) - far(other))[0];
   if (!found) return null;
   const bend = Math.max(...[found.c_sn, found.c_pd].map(Math.abs));
   return { ...found, merged: ((bend * ((d - c) / 2) ** 2) / (b - a)) * frame.w < MERGED };

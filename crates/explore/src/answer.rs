@@ -2,12 +2,14 @@
 
 use grazing_input::Mistake;
 use grazing_results::{Cell, Row};
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde_json::{Map, Value};
 
-/// The reason why there is no answer.
-#[derive(Debug)]
+/// The reason why there is no answer; the page gets the message.
+#[derive(Debug, Serialize)]
 pub(crate) struct Problem {
     /// The status in HTTP.
+    #[serde(skip)]
     pub(crate) status: u16,
     pub(crate) message: String,
 }
@@ -37,11 +39,6 @@ impl Problem {
     pub(crate) fn too_large() -> Self {
         Self::new(503, "the computation was cancelled because it took too much memory")
     }
-
-    /// The message for the page, as JSON.
-    pub(crate) fn told(&self) -> Value {
-        json!({ "message": self.message })
-    }
 }
 
 impl From<Mistake> for Problem {
@@ -51,18 +48,40 @@ impl From<Mistake> for Problem {
     }
 }
 
+/// The cells of a row by the names of their columns.
+pub(crate) type Cells = Map<String, Value>;
+
 /// A row for the page: each cell under its column's name, the parameters as `primary` and `secondary`.
-pub(crate) fn told<R: Row>(row: &R) -> Map<String, Value> {
+pub(crate) fn told<R: Row>(row: &R) -> Cells {
     let value = |cell| match cell {
-        Cell::Text(words) => json!(words),
-        Cell::Verdict(word, _) => json!(word),
-        Cell::Integer(count) => json!(count),
-        Cell::Number(number) => json!(number),
-        Cell::Flag(yes) => json!(yes),
+        Cell::Text(words) => words.into(),
+        Cell::Verdict(word, _) => word.into(),
+        Cell::Integer(count) => count.into(),
+        Cell::Number(number) => number.into(),
+        Cell::Flag(yes) => yes.into(),
     };
     let names = R::COLUMNS.iter().map(|column| column.name.replace(['{', '}'], ""));
     names.zip(row.cells().into_iter().map(value)).collect()
 }
+
+/// An answer as JSON; numbers that are not finite are null.
+pub(crate) fn written(answer: &impl Serialize) -> String {
+    // Nothing fails: all answers are numbers and words.
+    serde_json::to_string(answer).unwrap_or_default()
+}
+
+/// Declares answers that are no rows: the page gets each field under its name.
+macro_rules! answers {
+    ($($(#[$meta:meta])* $answer:ident $(<$life:lifetime>)? { $($(#[$about:meta])* $field:ident: $type:ty,)+ })+) => {$(
+        $(#[$meta])*
+        #[derive(serde::Serialize)]
+        pub(crate) struct $answer $(<$life>)? {
+            $($(#[$about])* pub(crate) $field: $type,)+
+        }
+    )+};
+}
+
+pub(crate) use answers;
 
 /// A file that is exported.
 pub struct ExportedFile {

@@ -1,17 +1,15 @@
 //! Requests of a page, which the server or a worker of the page itself answers.
 
-use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Value, json};
 
-use crate::answer::{ExportedFile, Problem};
+use crate::answer::{ExportedFile, Problem, written};
 use crate::events::{self, Clock, Events, Listener, Told};
 use crate::figure::{ExportRequest, Seen};
 use crate::kept::Kept;
-use crate::model::Model;
 use crate::place::PlaceRequest;
-use crate::{cut, diagram, exact, follow, measured, place, tiles};
+use crate::{cut, diagram, exact, follow, measured, model, place, tiles};
 
 /// Writes a figure as a file: `svg`, `pdf`, `png` or `csv:TABLE` at a width (`one`, `two`, or that
 /// of the paper), unless it is cancelled.
@@ -26,8 +24,8 @@ pub(crate) enum Weight {
     Heavy,
 }
 
-/// A computation with one value as its result.
-type One = dyn Fn(&Stop) -> Result<Value, Problem> + Send;
+/// A computation with one value as its result, in JSON.
+type One = dyn Fn(&Stop) -> Result<String, Problem> + Send;
 
 /// A request that has been read.
 pub(crate) enum Asked {
@@ -42,7 +40,7 @@ type Read = serde_json::Result<Asked>;
 /// The function that reads the body of a request whose path ends with this name; none for an unknown name.
 pub(crate) fn reader(name: &str) -> Option<fn(&[u8]) -> Read> {
     Some(match name {
-        "check" => |body| one(body, |_| Weight::Light, check),
+        "check" => |body| one(body, |_| Weight::Light, model::check),
         "diagram" => |body| told(body, diagram::compute),
         "tiles" => |body| told(body, tiles::compute),
         "place" => |body| one(body, weight, place::compute),
@@ -56,13 +54,14 @@ pub(crate) fn reader(name: &str) -> Option<fn(&[u8]) -> Read> {
     })
 }
 
-fn one<T: DeserializeOwned + Send + 'static>(
+fn one<T: DeserializeOwned + Send + 'static, A: Serialize + 'static>(
     body: &[u8],
     weight: fn(&T) -> Weight,
-    compute: fn(&T, &Stop) -> Result<Value, Problem>,
+    compute: fn(&T, &Stop) -> Result<A, Problem>,
 ) -> Read {
     let request: T = serde_json::from_slice(body)?;
-    Ok(Asked::One(weight(&request), Box::new(move |stop| compute(&request, stop))))
+    let weight = weight(&request);
+    Ok(Asked::One(weight, Box::new(move |stop| Ok(written(&compute(&request, stop)?)))))
 }
 
 fn told<T: DeserializeOwned + Send + 'static>(
@@ -74,18 +73,7 @@ fn told<T: DeserializeOwned + Send + 'static>(
 }
 
 fn weight(request: &PlaceRequest) -> Weight {
-    if request.is_followed() { Weight::Light } else { Weight::Heavy }
-}
-
-/// The description of a model, or the mistake in it, which is an answer, too.
-fn check(model: &Model, stop: &Stop) -> Result<Value, Problem> {
-    match model.described(stop) {
-        _ if stop.is_asked() => Err(Problem::ended()),
-        Ok(described) => Ok(described),
-        Err(Mistake { message, key, line, span }) => {
-            Ok(json!({"ok": false, "message": message, "key": key, "line": line, "span": span}))
-        }
-    }
+    if request.nearby.is_some() { Weight::Light } else { Weight::Heavy }
 }
 
 /// A file of what the page shows.
@@ -112,7 +100,7 @@ pub fn answer(
     let answered = || {
         let read = reader(name).ok_or_else(|| Problem::new(404, "not found"))?;
         match read(body).map_err(|error| Problem::unread(&error))? {
-            Asked::One(_, compute) => Ok((JSON, compute(stop)?.to_string().into_bytes())),
+            Asked::One(_, compute) => Ok((JSON, compute(stop)?.into_bytes())),
             Asked::File(request) => {
                 file(&request, export, stop).map(|ExportedFile { kind, content, .. }| (kind, content))
             }
@@ -122,7 +110,7 @@ pub fn answer(
             }
         }
     };
-    answered().map_err(|problem: Problem| (problem.status, problem.told().to_string()))
+    answered().map_err(|problem: Problem| (problem.status, written(&problem)))
 }
 
 /// The media type of values; that of events follows.

@@ -10,9 +10,8 @@ use grazing_unfold::one_parameter::requested::{SAMPLING, in_own_units};
 use grazing_unfold::one_parameter::{Cut, Line, Sampling};
 use grazing_unfold::progress::Progress;
 use serde::Deserialize;
-use serde_json::{Value, json};
 
-use crate::answer::{Problem, told};
+use crate::answer::{Cells, Problem, answers, told};
 use crate::events::Events;
 use crate::model::{Model, View};
 
@@ -110,33 +109,41 @@ impl Followed {
 
 pub(crate) fn compute(request: &CutRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let mut followed = request.line.follow(&request.model, events, stop)?;
-    events.send("branches", &event(&followed.read(followed.cut.diagram()).seen()));
+    events.send("branches", &Branches::of(&followed.read(followed.cut.diagram()).seen()));
     // As in the diagrams that a file asks for, but with fewer dots, to be quick.
     let found = followed.simulated(Sampling { recorded: 16, ..SAMPLING }, events).seen();
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [found.across(dot), dot.x]).collect();
     if found.branches.iter().any(|point| point.impacts > 1) {
-        events.send("branches", &event(&found));
+        events.send("branches", &Branches::of(&found));
     }
-    events.send(
-        "dots",
-        &json!({"frame": found.frame.y, "dots": dots, "values": SAMPLING.values, "left_out": found.simulated.map(|orbits| orbits.left_out())}),
-    );
+    let left_out = found.simulated.map(|orbits| orbits.left_out());
+    events.send("dots", &Dots { frame: found.frame.y, dots, values: SAMPLING.values, left_out });
     Ok(())
 }
 
-/// The strands, and the bifurcations on them, for the page.
-fn event(found: &OneParameter) -> Value {
-    let strand = |rows: &[BranchPoint]| {
-        let point = |row: &BranchPoint| {
-            json!([found.across(row), row.x, row.stable.name(), u8::from(row.admissible)])
+answers! {
+    /// The branches, and the bifurcations on them, with the range of the ordinate.
+    Branches { frame: [f64; 2], strands: Vec<Strand>, bifurcations: Vec<Cells>, }
+
+    /// A piece of a branch; its points are parameter, ordinate, stability, and 1 if they are admissible or else 0.
+    Strand { p: u32, impacts: u32, points: Vec<(f64, f64, &'static str, u8)>, }
+
+    /// Simulated motion: parameters and ordinates at so many values of the parameter, and what is left out, in words.
+    Dots { frame: [f64; 2], dots: Vec<[f64; 2]>, values: u32, left_out: Option<Vec<String>>, }
+}
+
+impl Branches {
+    fn of(found: &OneParameter) -> Self {
+        let point =
+            |row: &BranchPoint| (found.across(row), row.x, row.stable.name(), u8::from(row.admissible));
+        let strand = |rows: &[BranchPoint]| Strand {
+            p: rows[0].loops,
+            impacts: rows[0].impacts,
+            points: rows.iter().map(point).collect(),
         };
-        json!({"p": rows[0].loops, "impacts": rows[0].impacts, "points": rows.iter().map(point).collect::<Vec<_>>()})
-    };
-    // A strand is broken where a visit is unknown.
-    let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
-    json!({
-        "frame": found.frame.y,
-        "strands": pieces.filter(|rows| !rows[0].x.is_nan()).map(strand).collect::<Vec<_>>(),
-        "bifurcations": found.bifurcations.iter().map(told).collect::<Vec<_>>(),
-    })
+        // A strand is broken where a visit is unknown.
+        let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
+        let strands = pieces.filter(|rows| !rows[0].x.is_nan()).map(strand).collect();
+        Self { frame: found.frame.y, strands, bifurcations: found.bifurcations.iter().map(told).collect() }
+    }
 }

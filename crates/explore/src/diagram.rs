@@ -2,11 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::Multipliers;
 use grazing_input::Mistake;
 use grazing_model::smooth::Stop;
-use grazing_results::plane::{OwnPoint, PlanePoint, RegionCorner, SequenceVertex};
+use grazing_results::plane::{
+    CurveSource, OnCurve, OwnPoint, PlanePoint, RegionCorner, SequenceVertex, SpecialPoint,
+};
+use grazing_results::resonance::{CheckedResonance, Coefficients};
 use grazing_results::{Dimensioned, Row};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_unfold::described::Axes;
@@ -21,13 +24,12 @@ use grazing_unfold::sequences::of_diagram;
 use grazing_unfold::unfolded::AtResonance;
 use grazing_unfold::{Diagram, UnfoldError};
 use serde::Deserialize;
-use serde_json::{Map, Value, json};
 
-use crate::answer::{Problem, told};
-use crate::events::Events;
+use crate::answer::{Cells, Problem, answers, told};
+use crate::events::{Events, event};
 use crate::kept::Sent;
 use crate::model::{Model, View};
-use crate::place;
+use crate::place::{self, Eigenvalues};
 
 /// The request for a two-parameter diagram.
 #[derive(Deserialize)]
@@ -80,19 +82,19 @@ pub(crate) const OWN_CURVE: &str = "own";
 pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let DiagramRequest { model, view, coarse } = request;
     if !coarse && let Some(sent) = events.kept.sent(model, view) {
-        sent.iter().for_each(|(name, data)| events.send(name, data));
+        sent.into_iter().for_each(|event| events.say(event));
         return Ok(());
     }
-    let mut sent: Sent = Vec::new();
-    let mut tell = |name: &'static str, data: Value| {
-        events.send(name, &data);
-        sent.push((name, data));
+    let mut sent = Sent::new();
+    let mut tell = |event: String| {
+        events.say(event.clone());
+        sent.push(event);
     };
     let (description, mistake) = model.viewed(Some(view), stop)?;
     let of = model.prepare(&description, stop)?;
     let axes = of.axes.clone();
     if let Some(Mistake { message, .. }) = mistake {
-        tell("part", json!({"view": View::of(&description), "reason": message}));
+        tell(event("part", &Part { view: View::of(&description), reason: message }));
     }
     let mut all = Shown::default();
     let mut seen: Vec<Diagram> = Vec::new();
@@ -102,42 +104,43 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
             .with_dimensions(&axes.units)
             .into_iter()
             .filter(|rows| is_shown(rows, located.wall));
-        let grazing = (0..).zip(rows).map(|(k, rows)| curve(&rows, k));
+        let grazing = (0..).zip(rows).map(|(k, rows)| Curve::of(&rows, k));
         events.send("curves", &grazing.collect::<Vec<_>>());
         all.resonances.extend(resonances(&axes, &located));
         // What the other of two walls sees comes after it, and is sent together with it.
         if seen.is_empty() {
-            tell("resonances", json!(all.resonances));
+            tell(event("resonances", &all.resonances));
         }
         let diagram = growing(&axes, located, *coarse, events);
         all.add(&axes, &diagram, *coarse);
         if !seen.is_empty() {
-            tell("resonances", json!(all.resonances));
+            tell(event("resonances", &all.resonances));
         }
         all.tell(*coarse, &mut tell);
         seen.push(diagram);
     }
     // Curves that were sent under a wrong name, since they were mistaken for others, are not among these.
-    tell("keys", all.curves.iter().chain(&all.approximations).map(|curve| curve["key"].clone()).collect());
+    let curves = all.curves.iter().chain(&all.approximations);
+    tell(event("keys", &curves.map(|curve| &*curve.key).collect::<Vec<_>>()));
     let secondary = description.secondary().name();
     let grazing = seen.iter().flat_map(|diagram| &diagram.grazing);
     let forgotten = grazing.filter_map(|curve| forgotten(curve, secondary, &axes.units));
     let forgotten = forgotten.map(|words| format!("grazing curve: {words}"));
-    tell("notes", seen.iter().flat_map(Diagram::lost).chain(forgotten).collect());
+    tell(event("notes", &seen.iter().flat_map(Diagram::lost).chain(forgotten).collect::<Vec<_>>()));
     let mut shown = all.regions;
     let of_one_impact = shown.len();
     if !coarse && (description.generations() > 1 || description.has_two_walls()) {
         let (regions, curves) = several(&axes, &seen[0], description.generations(), events);
         shown.extend(regions);
-        tell("curves", json!(curves));
-        tell("regions", json!(shown));
+        tell(event("curves", &curves));
+        tell(event("regions", &shown));
     }
     // Regions of stable solutions are shown all the same.
     let empty = shown.len() == of_one_impact && seen.iter().all(|diagram| diagram.nothing().is_some());
     if let Some(reason) = seen[0].nothing().filter(|_| empty) {
         let nothing = Nothing::new(&reason.clone().with_dimensions(&axes.units), &description);
         let sentence = nothing.sentence();
-        tell("nothing", json!({"sentence": sentence, "found": nothing.found, "question": nothing.question}));
+        tell(event("nothing", &Empty { sentence, found: nothing.found, question: nothing.question }));
     }
     if !(*coarse || stop.is_asked()) {
         events.kept.add(model, view, seen, sent);
@@ -145,14 +148,52 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     Ok(())
 }
 
+answers! {
+    /// The part of the view that is shown, and what is wrong in the rest.
+    Part { view: View, reason: String, }
+
+    /// Why there is nothing in the view.
+    Empty { sentence: String, found: String, question: String, }
+
+    /// A curve.
+    #[derive(Default)]
+    Curve {
+        /// A name that stays the same while constants move: its number in the group of its kind.
+        key: String,
+        group: String,
+        kind: &'static str,
+        p: u32, n: u32, wall: u32,
+        source: &'static str,
+        points: Vec<[f64; 2]>,
+        /// Whether a region may end at each point; of a curve that the file asks for, whether it is bold there.
+        bounds: Vec<bool>,
+        /// The first two unknowns at each point, from which `exact` finds places exactly on the curve.
+        starts: Option<Vec<[f64; 2]>>,
+        /// The multipliers at each point.
+        multipliers: Option<Vec<Eigenvalues>>,
+        /// Why it was not followed farther at either end.
+        lost: Option<[String; 2]>,
+        /// The name in the file, and the property that holds along it.
+        name: Option<String>, property: Option<String>,
+        /// What it is, if its kind does not say that.
+        tells: Option<&'static str>,
+    }
+
+    /// A resonance or another codimension-two point, with the multipliers there, unless they are limits.
+    Point { #[serde(flatten)] row: Cells, multipliers: Option<Eigenvalues>, }
+
+    /// A region: what its vertices have in common, its border, and its name if it is one of several impacts.
+    Region { #[serde(flatten)] row: Cells, rings: Vec<Vec<(f64, f64)>>, name: Option<String>, }
+}
+
 /// What the page shows of the plane, as one wall sees it, and then as the other does as well.
 #[derive(Default)]
 struct Shown {
-    resonances: Vec<Value>,
-    curves: Vec<Value>,
-    points: Vec<Value>,
-    regions: Vec<Value>,
-    approximations: Vec<Value>,
+    resonances: Vec<Cells>,
+    curves: Vec<Curve>,
+    points: Vec<Point>,
+    regions: Vec<Region>,
+    approximations: Vec<Curve>,
 }
 
 impl Shown {
@@ -165,49 +206,38 @@ impl Shown {
             let first = &rows[0];
             let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
             *count += 1;
-            let mut found = curve(rows, *count - 1);
-            found["starts"] = json!(starts);
-            if !coarse {
-                along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
-            }
-            found
+            let found = Curve { starts: Some(starts), ..Curve::of(rows, *count - 1) };
+            if coarse { found } else { found.along(rows.iter().map(|row| &row.at)) }
         }));
         self.curves.extend(
             plane::own_curves(diagram)
                 .with_dimensions(&axes.units)
                 .chunk_by(|a, b| a.at.arc == b.at.arc)
-                .map(own),
+                .map(Curve::own),
         );
-        let known = diagram.unfolding().map(|_| Value::Null);
-        let known = known.chain(
-            diagram
-                .codimension_two
-                .iter()
-                .map(|other| json!(place::eigenvalues(&other.event.solution.multipliers))),
-        );
+        let known = diagram.unfolding().map(|_| None);
+        let others = diagram.codimension_two.iter();
+        let known =
+            known.chain(others.map(|other| Some(place::eigenvalues(&other.event.solution.multipliers))));
         let rows = plane::points(diagram).with_dimensions(&axes.units);
         let points = rows.iter().zip(known).filter(|(row, _)| plane::counts(row.loops, diagram.wall));
-        self.points.extend(points.map(|(row, multipliers)| {
-            let mut point = told(row);
-            point.insert("multipliers".to_owned(), multipliers);
-            Value::Object(point)
-        }));
+        self.points.extend(points.map(|(row, multipliers)| Point { row: told(row), multipliers }));
         if !coarse {
             let rows = plane::regions(&diagram.regions).with_dimensions(&axes.units);
             let regions = rows.chunk_by(|a, b| a.region == b.region);
             let own = regions.filter(|rows| plane::counts(rows[0].loops, diagram.wall));
-            self.regions.extend(own.map(|rows| Value::Object(region(rows, |row| &row.at))));
+            self.regions.extend(own.map(|rows| Region::of(rows, |row| &row.at)));
         }
         self.approximations.extend(approximations(axes, diagram));
     }
 
-    fn tell(&self, coarse: bool, tell: &mut impl FnMut(&'static str, Value)) {
-        tell("curves", json!(self.curves));
-        tell("points", json!(self.points));
+    fn tell(&self, coarse: bool, tell: &mut impl FnMut(String)) {
+        tell(event("curves", &self.curves));
+        tell(event("points", &self.points));
         if !coarse {
-            tell("regions", json!(self.regions));
+            tell(event("regions", &self.regions));
         }
-        tell("curves", json!(self.approximations));
+        tell(event("curves", &self.approximations));
     }
 }
 
@@ -228,7 +258,7 @@ fn growing(axes: &Axes, located: Diagram, coarse: bool, events: &Events) -> Diag
                 rank = 2 * rank + grazing;
                 grazing += 1;
             }
-            curve(&plane::bifurcation_rows(&located, found).with_dimensions(&axes.units), rank)
+            Curve::of(&plane::bifurcation_rows(&located, found).with_dimensions(&axes.units), rank)
         };
         events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
     });
@@ -250,60 +280,58 @@ fn ranks(diagram: &Diagram) -> Vec<u32> {
     diagram.resonances.iter().map(rank).collect()
 }
 
-fn curve(rows: &[PlanePoint], rank: u32) -> Value {
-    let Some(first) = rows.first() else { return Value::Null };
-    let wall = first.wall;
-    let bounds = |index: usize| rows[index].at.admissible && PlanePoint::bounds(rows, index);
-    let points = rows
-        .iter()
-        .enumerate()
-        .map(|(index, row)| ([row.at.primary, row.at.secondary], bounds(index)))
-        .unzip();
-    named(first.kind.name(), [first.loops, first.n, rank], wall, "continuation", points)
-}
+impl Curve {
+    /// A curve with these points, each with whether regions may end there.
+    pub(crate) fn new(
+        kind: &'static str,
+        [p, n, rank]: [u32; 3],
+        wall: u32,
+        source: CurveSource,
+        points: impl Iterator<Item = ([f64; 2], bool)>,
+    ) -> Self {
+        let (points, bounds) = points.unzip();
+        let of_wall = if wall > 1 { format!("wall {wall} ") } else { String::new() };
+        let group = format!("{kind} {p} {n} {of_wall}");
+        let quadratic = if source == CurveSource::Quadratic { " quadratic" } else { "" };
+        let key = format!("{group}#{rank}{quadratic}");
+        Self { key, group, kind, p, n, wall, source: source.name(), points, bounds, ..Self::default() }
+    }
 
-/// Adds details along a curve: the multipliers at its points, and why it was not followed farther
-/// at either end.
-fn along<'a>(curve: &mut Value, rows: impl DoubleEndedIterator<Item = ([f64; 2], &'a str)> + Clone) {
-    let why = |row: Option<([f64; 2], &'a str)>| row.map_or("", |(_, lost)| lost);
-    curve["lost"] = json!([why(rows.clone().next()), why(rows.clone().next_back())]);
-    let multipliers = rows.map(|([trace, determinant], _)| eigenvalues(&Multipliers { trace, determinant }));
-    curve["multipliers"] = multipliers.collect();
-}
+    /// A curve of the diagram, which has points.
+    fn of(rows: &[PlanePoint], rank: u32) -> Self {
+        let PlanePoint { kind, loops, wall, n, .. } = rows[0];
+        let bounds = |index: usize| rows[index].at.admissible && PlanePoint::bounds(rows, index);
+        let points = rows.iter().enumerate();
+        let points = points.map(|(index, row)| ([row.at.primary, row.at.secondary], bounds(index)));
+        Self::new(kind.name(), [loops, n, rank], wall, CurveSource::Continuation, points)
+    }
 
-/// A curve, under a key that stays the same while constants move: its number in the group of its kind.
-pub(crate) fn named(
-    kind: &str,
-    [p, n, rank]: [u32; 3],
-    wall: u32,
-    source: &str,
-    (points, bounds): (Vec<[f64; 2]>, Vec<bool>),
-) -> Value {
-    let of_wall = if wall > 1 { format!("wall {wall} ") } else { String::new() };
-    let group = format!("{kind} {p} {n} {of_wall}");
-    let key = format!("{group}#{rank}");
-    let key = if source == "quadratic" { format!("{key} {source}") } else { key };
-    json!({"key": key, "group": group, "kind": kind, "p": p, "n": n, "wall": wall, "source": source, "points": points, "bounds": bounds})
-}
+    /// A curve that the file asks for, which is bold where solutions are stable and admissible.
+    fn own(rows: &[OwnPoint]) -> Self {
+        let OwnPoint { name, property, loops, at } = &rows[0];
+        let bold = |at: &OnCurve| at.stable.is_stable() && at.admissible;
+        let points = rows.iter().map(|row| ([row.at.primary, row.at.secondary], bold(&row.at)));
+        let found = Self::new(OWN_CURVE, [*loops, 0, at.arc], 0, CurveSource::Continuation, points);
+        let found = found.along(rows.iter().map(|row| &row.at));
+        Self { name: Some(name.clone()), property: Some(property.to_string()), ..found }
+    }
 
-/// A curve that the file asks for, which is bold where solutions are stable and admissible.
-fn own(rows: &[OwnPoint]) -> Value {
-    let first = &rows[0];
-    let points = rows
-        .iter()
-        .map(|row| ([row.at.primary, row.at.secondary], row.at.stable.is_stable() && row.at.admissible))
-        .unzip();
-    let mut found = named(OWN_CURVE, [first.loops, 0, first.at.arc], 0, "continuation", points);
-    found["name"] = json!(first.name);
-    found["property"] = json!(first.property.to_string());
-    along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
-    found
+    /// The curve with the multipliers at its points, and why it was not followed farther at either end.
+    fn along<'a>(self, points: impl DoubleEndedIterator<Item = &'a OnCurve> + Clone) -> Self {
+        let why = |point: Option<&OnCurve>| point.map_or(String::new(), |point| point.lost.clone());
+        let lost = [why(points.clone().next()), why(points.clone().next_back())];
+        self.with(points.map(|&OnCurve { trace, determinant, .. }| Multipliers { trace, determinant }), lost)
+    }
+
+    /// The curve with these multipliers at its points, and these reasons why it ends.
+    pub(crate) fn with(self, multipliers: impl Iterator<Item = Multipliers>, lost: [String; 2]) -> Self {
+        Self { multipliers: Some(multipliers.map(|one| rounded(&one)).collect()), lost: Some(lost), ..self }
+    }
 }
 
 /// The eigenvalues with these multipliers, real and imaginary parts, rounded to the digits that are shown.
-pub(crate) fn eigenvalues(multipliers: &Multipliers) -> Value {
-    let rounded = |part: f64| (part * ROUNDED).round() / ROUNDED;
-    json!(place::eigenvalues(multipliers).map(|one| one.map(rounded)))
+fn rounded(multipliers: &Multipliers) -> Eigenvalues {
+    place::eigenvalues(multipliers).map(|one| one.map(|part| (part * ROUNDED).round() / ROUNDED))
 }
 
 const ROUNDED: f64 = 1e4;
@@ -319,11 +347,10 @@ fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
     grazing.chain(others)
 }
 
-/// A region, with what its vertices have in common and its border.
-fn region<R: Row>(rows: &[R], at: fn(&R) -> &RegionCorner) -> Map<String, Value> {
-    let mut region = told(&rows[0]);
-    region.insert("rings".to_owned(), json!(RegionCorner::rings(rows.iter().map(at))));
-    region
+impl Region {
+    fn of<R: Row>(rows: &[R], at: fn(&R) -> &RegionCorner) -> Self {
+        Self { row: told(&rows[0]), rings: RegionCorner::rings(rows.iter().map(at)), name: None }
+    }
 }
 
 /// The regions of solutions with several impacts, and the curves of those that hit both of two walls.
@@ -332,68 +359,59 @@ fn several(
     diagram: &Diagram,
     generations: u32,
     progress: &dyn Progress,
-) -> (Vec<Value>, Vec<Value>) {
+) -> (Vec<Region>, Vec<Curve>) {
     let found = of_diagram(diagram, generations, progress);
     let regions = found.rows(diagram.wall).regions.with_dimensions(&axes.units);
-    let one = |rows: &[SequenceVertex]| {
-        let mut region = region(rows, |row| &row.at);
-        region.insert("name".to_owned(), json!(rows[0].name()));
-        Value::Object(region)
-    };
+    let one =
+        |rows: &[SequenceVertex]| Region { name: Some(rows[0].name()), ..Region::of(rows, |row| &row.at) };
     let both = found.at_both_walls().with_dimensions(&axes.units);
     let both = both.chunk_by(|a, b| a.at.arc == b.at.arc).map(|rows| {
-        let mut found = curve(rows, rows[0].at.arc);
-        let group = format!("{} {} both walls ", rows[0].kind.name(), rows[0].loops);
-        found["key"] = json!(format!("{group}#{}", rows[0].at.arc));
-        found["group"] = json!(group);
-        along(&mut found, rows.iter().map(|row| ([row.at.trace, row.at.determinant], &*row.at.lost)));
-        found
+        let PlanePoint { kind, loops, at: OnCurve { arc, .. }, .. } = rows[0];
+        let group = format!("{} {loops} both walls ", kind.name());
+        let found = Curve { key: format!("{group}#{arc}"), group, ..Curve::of(rows, arc) };
+        found.along(rows.iter().map(|row| &row.at))
     });
     (regions.chunk_by(|a, b| a.region == b.region).map(one).collect(), both.collect())
 }
 
 /// All resonances, with the coefficients that the theorem gives where it holds.
-fn resonances(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
-    let one = |resonance: &grazing_unfold::resonances::FoundResonance| {
-        let (at, holds) = (
-            AtResonance::new(resonance, diagram.wall).with_dimensions(&axes.units),
-            resonance.theorem.is_ok(),
-        );
-        let [primary, secondary] = at.parameters;
-        let coefficient = |value| if holds { value } else { f64::NAN };
-        json!({
-            "p": at.loops,
-            "n": at.n,
-            "primary": primary,
-            "secondary": secondary,
-            "c_sn": coefficient(at.point.saddle_node_coefficient()),
-            "c_pd": coefficient(at.point.period_doubling_coefficient()),
-            "holds": holds,
-            "failing": at.failing().collect::<Vec<_>>().join("; "),
+fn resonances(axes: &Axes, diagram: &Diagram) -> impl Iterator<Item = Cells> {
+    diagram.resonances.iter().map(|resonance| {
+        let at = AtResonance::new(resonance, diagram.wall).with_dimensions(&axes.units);
+        let (kind, [primary, secondary], holds) =
+            (CodimensionTwo::Resonance, at.parameters, resonance.theorem.is_ok());
+        let mut coefficients = Coefficients::from(&at.point);
+        if !holds {
+            [coefficients.c_sn, coefficients.c_pd] = [f64::NAN; 2];
+        }
+        told(&CheckedResonance {
+            at: SpecialPoint { kind, loops: at.loops, wall: at.wall, n: at.n, secondary, primary },
+            coefficients,
+            holds,
+            failing: at.failing().collect::<Vec<_>>().join("; "),
         })
-    };
-    diagram.resonances.iter().map(one).collect()
+    })
 }
 
 /// The quadratic approximations to the SN and PD curves of the resonances in the diagram, and to
 /// the curve on which period-doubled solutions graze, as far as they lie in the view.
-fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Value> {
+fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Curve> {
     let ranks = ranks(diagram);
     let unfolding = diagram.resonances.iter().zip(ranks);
     let of = |(resonance, rank): (&grazing_unfold::resonances::FoundResonance, u32)| {
         let point = resonance.theorem.as_ref().ok()?;
         let shown = |(kind, curve): (Bifurcation, BifurcationCurve)| {
             let points = approximation(point, curve, diagram.scope.window);
-            let points = points.into_iter().map(|point| (axes.units.parameters(point), true)).unzip();
-            named(kind.name(), [resonance.loops, resonance.n, rank], diagram.wall, "quadratic", points)
+            let points = points.into_iter().map(|point| (axes.units.parameters(point), true));
+            let known = [resonance.loops, resonance.n, rank];
+            Curve::new(kind.name(), known, diagram.wall, CurveSource::Quadratic, points)
         };
         let [saddle_node, period_doubling] = point.leading().named();
         // Period-doubled solutions begin at the period doubling, on its side.
         let coefficient = point.resonant_point().doubled_grazing_coefficient();
-        let mut doubled =
-            shown((Bifurcation::Grazing, BifurcationCurve { coefficient, ..period_doubling.1 }));
-        doubled["tells"] = json!("2GZ: quadratic approximation to where period-doubled solutions graze");
-        Some([shown(saddle_node), shown(period_doubling), doubled])
+        let doubled = (Bifurcation::Grazing, BifurcationCurve { coefficient, ..period_doubling.1 });
+        let tells = Some("2GZ: quadratic approximation to where period-doubled solutions graze");
+        Some([shown(saddle_node), shown(period_doubling), Curve { tells, ..shown(doubled) }])
     };
     unfolding.filter_map(of).flatten().collect()
 }

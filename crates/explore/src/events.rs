@@ -7,9 +7,8 @@ use std::time::Duration;
 use grazing_model::smooth::Stop;
 use grazing_unfold::progress::Progress;
 use serde::Serialize;
-use serde_json::json;
 
-use crate::answer::Problem;
+use crate::answer::{Problem, answers, written};
 use crate::kept::Kept;
 
 /// The shortest interval between reports of progress.
@@ -43,6 +42,19 @@ struct Stages {
     last: Option<Duration>,
 }
 
+answers! {
+    /// A stage that is under way, with the steps done and all steps.
+    Stage<'a> { stage: &'a str, done: u64, all: u64, }
+
+    /// All is told, after this time.
+    Done { seconds: f64, }
+}
+
+/// The text of an event.
+pub(crate) fn event(name: &str, data: &impl Serialize) -> String {
+    format!("event: {name}\ndata: {}\n\n", written(data))
+}
+
 /// Computes, and sends results as they are found; at the end that it is done, or why it is not: `ended` says why
 /// it was asked to stop.
 pub(crate) fn tell(
@@ -55,18 +67,21 @@ pub(crate) fn tell(
     let began = clock();
     let events = Events { listener, clock, kept, stop, stages: Mutex::default() };
     match compute(&events, stop) {
-        _ if stop.is_asked() => events.send("error", &ended().told()),
-        Ok(()) => events.send("done", &json!({ "seconds": (clock() - began).as_secs_f64() })),
-        Err(problem) => events.send("error", &problem.told()),
+        _ if stop.is_asked() => events.send("error", &ended()),
+        Ok(()) => events.send("done", &Done { seconds: (clock() - began).as_secs_f64() }),
+        Err(problem) => events.send("error", &problem),
     }
 }
 
 impl Events<'_> {
-    /// Sends an event; once there is no listener, the computation is cancelled.
+    /// Sends an event.
     pub(crate) fn send(&self, name: &str, data: &impl Serialize) {
-        // Data that cannot be written as JSON are not sent: all of them are numbers and words.
-        let Ok(data) = serde_json::to_string(data) else { return };
-        if !(self.listener)(format!("event: {name}\ndata: {data}\n\n")) {
+        self.say(event(name, data));
+    }
+
+    /// Sends the text of an event; once there is no listener, the computation is cancelled.
+    pub(crate) fn say(&self, event: String) {
+        if !(self.listener)(event) {
             self.stop.ask();
         }
     }
@@ -79,11 +94,10 @@ impl Events<'_> {
             return;
         }
         stages.last = Some(now);
-        let stage =
-            stages.running.get(what).map(|[done, all]| json!({"stage": what, "done": done, "all": all}));
+        let running = stages.running.get(what).copied();
         drop(stages);
-        if let Some(stage) = stage {
-            self.send("progress", &stage);
+        if let Some([done, all]) = running {
+            self.send("progress", &Stage { stage: what, done, all });
         }
     }
 }

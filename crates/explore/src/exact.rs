@@ -8,11 +8,10 @@ use grazing_model::smooth::Stop;
 use grazing_theorems::from_map::GrazingPlace;
 use grazing_unfold::described::Prepared;
 use serde::Deserialize;
-use serde_json::{Value, json};
 
-use crate::answer::Problem;
+use crate::answer::{Problem, answers};
 use crate::model::{Model, View};
-use crate::place::{FARTHEST, eigenvalues};
+use crate::place::{Eigenvalues, FARTHEST, eigenvalues};
 
 /// The request for a place exactly on a curve.
 #[derive(Deserialize)]
@@ -31,10 +30,15 @@ pub(crate) struct ExactRequest {
     at: [f64; 2],
 }
 
+answers! {
+    /// A place on a curve, with the multipliers of the solution there, unless it is known by its grazing.
+    Exact { at: [f64; 2], multipliers: Option<Eigenvalues>, }
+}
+
 /// The greatest distance of the place from where it was looked for, as a share of the view.
 const NEAR: f64 = 0.1;
 
-pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Problem> {
+pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Exact, Problem> {
     let ExactRequest { model, view, kind, p, wall, start: [first, second], at } = request;
     let of = model.prepared(Some(view), stop)?;
     let [primary, secondary] = of.without_dimensions(*at);
@@ -59,7 +63,8 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
         let here = oscillator.with_parameters([primary, secondary]);
         let found = GrazingPlace::find(&here, *second).map_err(|_| lost())?;
         let found = found.parameters;
-        return near(found).then(|| json!({"at": units.parameters(found)})).ok_or_else(lost);
+        let exact = Exact { at: units.parameters(found), multipliers: None };
+        return near(found).then_some(exact).ok_or_else(lost);
     }
     let equations = match p {
         0 => grazing_unfold::non_impacting::equations(&oscillator, scope.window),
@@ -76,11 +81,6 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Value, Prob
         Some(equations.solution(&point)).filter(|solution| near(solution.parameters()))
     });
     let solution = found.next().ok_or_else(lost)?;
-    let [velocity, phase] = equations.impact(&solution);
-    Ok(json!({
-        "at": units.parameters(solution.parameters()),
-        "multipliers": eigenvalues(&solution.multipliers),
-        "velocity": velocity * units.velocity(),
-        "phase": phase,
-    }))
+    let multipliers = Some(eigenvalues(&solution.multipliers));
+    Ok(Exact { at: units.parameters(solution.parameters()), multipliers })
 }

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::iter;
 
 use serde::Serialize;
-use serde_json::{Value, json};
 
+use crate::answer::{answers, written};
 use crate::kinds;
 
 /// An oscillator in the menu.
@@ -55,9 +55,14 @@ const KINDS: [(&str, &str); 4] = [
 /// The path at which the page requests its menu.
 pub(crate) const EXAMPLES: &str = "examples";
 
-/// The menu, and the command that starts the program.
-pub(crate) fn examples(program: &str, examples: &[Example]) -> Value {
-    json!({ "program": program, "examples": examples })
+answers! {
+    /// The command that starts the program, and the menu.
+    Menu<'a> { program: &'a str, examples: &'a [Example], }
+}
+
+/// The menu as JSON.
+pub(crate) fn examples(program: &str, examples: &[Example]) -> String {
+    written(&Menu { program, examples })
 }
 
 /// A file of the page with its media type; the empty name is the page itself.
@@ -82,5 +87,5 @@ pub fn alone(program: &str, menu: &[Example]) -> Vec<(&'static str, Vec<u8>)> {
     let own = || ALONE.iter().map(|(name, content)| (*name, content.to_vec()));
     let rest = files().filter(|(name, _)| ALONE.iter().all(|(own, _)| own != name));
     let rest = rest.map(|(name, content)| (name, content.into_owned()));
-    own().chain(rest).chain([(EXAMPLES, examples(program, menu).to_string().into_bytes())]).collect()
+    own().chain(rest).chain([(EXAMPLES, examples(program, menu).into_bytes())]).collect()
 }

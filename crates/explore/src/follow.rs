@@ -1,53 +1,50 @@
 //! The curve through a solution along which the velocity of its impact, the slowest of several, is constant.
 
-use grazing_continuation::curve::Curve;
+use grazing_continuation::curve::Curve as Followed;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, PeriodicSolution, Unknowns, unknown,
 };
 use grazing_model::OnWall;
 use grazing_model::smooth::Stop;
-use grazing_results::plane::Property;
+use grazing_results::Dimensioned;
+use grazing_results::plane::{CurveSource, Property};
 use grazing_unfold::described::Prepared;
 use grazing_unfold::own_curves::through;
 use serde::Deserialize;
-use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::diagram::{OWN_CURVE, eigenvalues, named};
+use crate::diagram::{Curve, OWN_CURVE};
 use crate::model::{Model, View};
-use crate::place::{FARTHEST, are_stops, is_sought};
+use crate::place::{FARTHEST, Impact, Known};
 
 /// The request for a curve through a solution.
 #[derive(Deserialize)]
 pub(crate) struct FollowRequest {
     model: Model,
     view: View,
-    /// The place of a solution that recurs after p forcing periods, with velocities and phases of its impacts.
+    /// The place of the solution.
     at: [f64; 2],
-    p: u32,
-    impacts: Vec<[f64; 2]>,
-    /// The walls that they hit, from 0, if there are two.
-    #[serde(default)]
-    stops: Vec<usize>,
+    #[serde(flatten)]
+    solution: Known,
 }
 
-pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Problem> {
-    let &FollowRequest { ref model, ref view, at, p, ref impacts, ref stops } = request;
+pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Vec<Curve>, Problem> {
+    let &FollowRequest { ref model, ref view, at, ref solution } = request;
     let of = model.prepared(Some(view), stop)?;
     let [primary, secondary] = of.without_dimensions(at);
     let Prepared { oscillator, scope, axes, .. } = of;
     let units = axes.units;
+    let known = solution.clone().without_dimensions(&units);
     let struck: Vec<OnWall> =
-        impacts.iter().map(|[velocity, phase]| OnWall::new(velocity / units.velocity(), *phase)).collect();
-    let known = is_sought(&scope.loops, p, impacts) && scope.window.contains([primary, secondary]);
+        known.impacts.iter().map(|&Impact([velocity, phase])| OnWall::new(velocity, phase)).collect();
+    let is_sought = known.is_sought(&oscillator, &scope.loops);
     let near = Unknowns::of_impacts(&struck, [primary, secondary]);
-    let known = known && are_stops(&oscillator, impacts, stops);
-    if !(known && near.iter().all(|number| number.abs() <= FARTHEST)) {
+    let moderate = near.iter().all(|number| number.abs() <= FARTHEST);
+    if !(is_sought && scope.window.contains([primary, secondary]) && moderate) {
         return Err(Problem::wrong("the view contains no such solution"));
     }
-    let equations =
-        LoopEquations::new(oscillator, p, Formulation::FixedPhase).at_stops(stops.iter().copied());
+    let equations = LoopEquations::new(oscillator, known.p, Formulation::FixedPhase).at_stops(known.stops);
     let (here, mut times) =
         ([Condition::Primary(primary), Condition::Secondary(secondary)], EventTimes::default());
     let start = locate(&equations, here, near, &mut times)
@@ -57,17 +54,15 @@ pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Value, Pro
     if stop.is_asked() {
         return Err(Problem::ended());
     }
-    let one = |(rank, curve): (u32, &Curve)| {
+    let one = |(rank, curve): (u32, &Followed)| {
         let bold =
             |solution: &PeriodicSolution| solution.stable() && solution.ceiling() <= PeriodicSolution::TOUCH;
         let points = curve.points.iter();
         let points =
             points.map(|point| (units.parameters(point.solution.parameters()), bold(&point.solution)));
-        let mut told = named(OWN_CURVE, [p, 0, rank], 0, "continuation", points.unzip());
-        let multipliers = curve.points.iter().map(|point| eigenvalues(&point.solution.multipliers));
-        told["multipliers"] = multipliers.collect();
-        told["lost"] = json!(curve.lost());
-        told
+        let multipliers = curve.points.iter().map(|point| point.solution.multipliers);
+        Curve::new(OWN_CURVE, [known.p, 0, rank], 0, CurveSource::Continuation, points)
+            .with(multipliers, curve.lost().map(Option::unwrap_or_default))
     };
-    Ok(json!((0..).zip(&found).map(one).collect::<Vec<_>>()))
+    Ok((0..).zip(&found).map(one).collect())
 }

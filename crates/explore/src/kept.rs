@@ -4,12 +4,12 @@ use std::collections::VecDeque;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use grazing_unfold::Diagram;
-use serde_json::{Value, json};
 
+use crate::answer::written;
 use crate::model::{Model, View};
 
-/// Events in the order in which they were sent, without those of progress and of curves that were not all.
-pub(crate) type Sent = Vec<(&'static str, Value)>;
+/// The texts of events in the order in which they were sent, without those of progress and of curves that were not all.
+pub(crate) type Sent = Vec<String>;
 
 /// Diagrams by model and view, newest first, each with what was sent of it.
 type Last = VecDeque<(String, Vec<Diagram>, Sent)>;
@@ -31,7 +31,7 @@ impl Kept {
     }
 
     fn key(model: &Model, view: &View) -> String {
-        json!([model, view]).to_string()
+        written(&(model, view))
     }
 
     /// The diagram of a view as each wall sees it, if it is among the last. Its oscillator moves no more: it ended with the

@@ -4,7 +4,8 @@
 //! The page holds all state: the oscillator's file, values of its constants, the view of the plane,
 //! a place in it. Every request carries what it needs of that, so the server stores nothing but the last
 //! diagrams, beside which measurements are laid, and which are computed again if they are gone. It
-//! computes with the code of `unfold`, and sends the same numbers.
+//! computes with the code of `unfold`, and sends the same numbers: rows under the names of their columns
+//! (`answer::told`), with what no row has, and answers that are no rows (`answers!`).
 //!
 //! | module | |
 //! |---|---|

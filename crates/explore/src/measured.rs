@@ -7,9 +7,8 @@ use grazing_unfold::Diagram;
 use grazing_unfold::described::Axes;
 use grazing_unfold::progress::Progress;
 use serde::Deserialize;
-use serde_json::{Value, json};
 
-use crate::answer::{Problem, told};
+use crate::answer::{Cells, Problem, answers, told};
 use crate::diagram;
 use crate::events::Events;
 use crate::model::{Model, View};
@@ -34,6 +33,17 @@ pub(crate) struct CompareRequest {
     model: Model,
     view: View,
     measured: Measured,
+}
+
+answers! {
+    /// Measurements as they were read, before anything is computed, and the columns that hold them.
+    Read { points: Vec<Point>, columns: Vec<String>, }
+
+    /// A measurement at a place, with the standard errors of both parameters, and what was seen there, in words.
+    Point { line: u32, at: [f64; 2], errors: [f64; 2], kind: &'static str, seen: String, }
+
+    /// Measurements beside the diagram, how many agree, and how many lie outside the view.
+    Beside { points: Vec<Cells>, counts: Vec<Cells>, outside: usize, }
 }
 
 impl Measured {
@@ -74,35 +84,26 @@ impl Measured {
     }
 }
 
-/// The measurements as they are in the file, before anything is computed.
-pub(crate) fn read(request: &ReadRequest, stop: &Stop) -> Result<Value, Problem> {
+/// The measurements as they are in the file.
+pub(crate) fn read(request: &ReadRequest, stop: &Stop) -> Result<Read, Problem> {
     let ReadRequest { model, measured } = request;
-    let point = |one: &Observation| {
-        json!({
-            "line": one.line,
-            "at": one.at,
-            "errors": one.errors,
-            "kind": one.seen.kind().name(),
-            "seen": one.seen.words(),
-        })
+    let (all, columns) = measured.read(model, stop)?;
+    let point = |Observation { line, at, errors, seen }| Point {
+        line,
+        at,
+        errors,
+        kind: seen.kind().name(),
+        seen: seen.words(),
     };
-    let (points, columns) = measured.read(model, stop)?;
-    Ok(json!({ "points": points.iter().map(point).collect::<Vec<_>>(), "columns": columns }))
+    Ok(Read { points: all.into_iter().map(point).collect(), columns })
 }
 
 /// Compares measurements with the diagram of a view, which is not computed again if it was among the last.
 pub(crate) fn compute(request: &CompareRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let CompareRequest { model, view, measured } = request;
     let (axes, diagrams) = diagram::known(model, view, events, stop)?;
-    events.send("measured", &beside(&measured.beside(model, (&axes, &diagrams), events, stop)?));
+    let (compared, outside) = measured.beside(model, (&axes, &diagrams), events, stop)?;
+    let points = compared.points.iter().map(told).collect();
+    events.send("measured", &Beside { points, counts: compared.counts.iter().map(told).collect(), outside });
     Ok(())
-}
-
-/// A comparison, for the page.
-fn beside((compared, outside): &(Comparison, usize)) -> Value {
-    json!({
-        "points": compared.points.iter().map(told).collect::<Vec<_>>(),
-        "counts": compared.counts.iter().map(told).collect::<Vec<_>>(),
-        "outside": outside,
-    })
 }

@@ -2,14 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use grazing_input::{Axis, Description, DescriptionError, Mistake, Note, Setting, SettingError, Text};
+use grazing_input::{Axis, Description, DescriptionError, Mistake, Setting, SettingError, Text};
 use grazing_model::smooth::{Stop, Stoppable};
 use grazing_model::{AnyOscillator, LinearOscillator, OscillatorError};
 use grazing_results::readings::Ordinate;
 use grazing_unfold::Scope;
 use grazing_unfold::described::{Axes, Prepared};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+
+use crate::answer::{Problem, answers};
 
 /// The oscillator that a request is about, as the page sends it.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -30,6 +31,53 @@ pub struct View {
     pub primary: [f64; 2],
     /// The range of the secondary parameter.
     pub secondary: [f64; 2],
+}
+
+answers! {
+    /// What is said of a file: what it describes, or its mistake.
+    Checked { ok: bool, #[serde(flatten)] described: Option<Described>, #[serde(flatten)] mistake: Option<Wrong>, }
+
+    /// The description of an oscillator, before anything is computed.
+    Described {
+        name: String, primary: Parameter, secondary: Parameter, units: Units,
+        constants: Vec<Constant>, loops: Vec<u32>, notes: Vec<Note>,
+        /// Whether x is measured from the wall: unless this is at x = 0 with the motion below it.
+        from_the_wall: bool,
+        /// The number of walls.
+        walls: usize,
+        /// The quantities on the vertical axis of a one-parameter diagram.
+        ordinates: Vec<Quantity>,
+    }
+
+    /// A parameter of the plane, with its title in label markup.
+    Parameter { name: String, title: String, range: [f64; 2], unit: Option<String>, }
+
+    /// A constant of the file.
+    Constant { name: String, value: f64, }
+
+    /// A quantity with the name of its unit.
+    Quantity { name: &'static str, unit: Option<String>, }
+
+    /// The names of units.
+    Units { length: Option<String>, time: Option<String>, }
+
+    /// A note on the file.
+    Note { message: String, line: Option<usize>, }
+
+    /// A mistake in the file.
+    Wrong { message: String, key: Option<String>, line: Option<usize>, span: Option<[usize; 2]>, }
+}
+
+/// What a model describes, or the mistake in it, which is an answer, too.
+pub(crate) fn check(model: &Model, stop: &Stop) -> Result<Checked, Problem> {
+    match model.described(stop) {
+        _ if stop.is_asked() => Err(Problem::ended()),
+        Ok(described) => Ok(Checked { ok: true, described: Some(described), mistake: None }),
+        Err(Mistake { message, key, line, span }) => {
+            let mistake = Some(Wrong { message, key, line, span });
+            Ok(Checked { ok: false, described: None, mistake })
+        }
+    }
 }
 
 /// The name of the file in messages.
@@ -135,38 +183,39 @@ impl Model {
         }
     }
 
-    /// The description of the oscillator for the page, before anything is computed.
-    pub(crate) fn described(&self, stop: &Stop) -> Result<Value, Mistake> {
+    /// What the file describes.
+    fn described(&self, stop: &Stop) -> Result<Described, Mistake> {
         let description = self.description(None, stop)?;
         let names = self.prepared(None, stop)?.axes.names;
-        let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
+        let parameter = |name: &str, title: String, axis: &Axis| Parameter {
+            name: name.to_owned(),
+            title,
+            range: axis.range(),
+            unit: axis.unit().map(str::to_owned),
+        };
         let [primary, secondary] = names.titles();
-        let [length, time, _] = description.unit_names();
+        let [length, time, _] = description.unit_names().map(|name| name.map(str::to_owned));
         let units = Axes::of(&description).names;
-        let ordinate = |ordinate: &Ordinate| {
-            let (_, unit) = ordinate.column();
-            (description.has_mass() || !ordinate.needs_mass())
-                .then(|| json!({"name": ordinate.name(), "unit": units.named_unit(unit)}))
+        let quantity = |ordinate: &Ordinate| {
+            let (name, (_, unit)) = (ordinate.name(), ordinate.column());
+            let is_known = description.has_mass() || !ordinate.needs_mass();
+            is_known.then(|| Quantity { name, unit: units.named_unit(unit) })
         };
-        let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
-        let note = |note: &Note| {
-            let Mistake { message, line, .. } = note.mistake();
-            json!({"message": message, "line": line})
-        };
-        Ok(json!({
-            "ok": true,
-            "name": description.name(),
-            "primary": axis(&names.primary, &primary, description.primary()),
-            "secondary": axis(&names.secondary, &secondary, description.secondary()),
-            "constants": description.constants().map(constant).collect::<Vec<_>>(),
-            "loops": description.loops(),
-            "notes": description.notes().iter().map(note).collect::<Vec<_>>(),
-            // x is measured from the wall unless the wall is at x = 0 with the motion below it.
-            "from_the_wall": !description.wall().is_usual(),
-            "walls": description.from_each_wall().count(),
-            "ordinates": Ordinate::ALL.iter().filter_map(ordinate).collect::<Vec<_>>(),
-            "units": { "length": length, "time": time },
-        }))
+        let notes = description.notes().iter().map(|note| note.mistake());
+        let constants =
+            description.constants().map(|(name, value)| Constant { name: name.to_owned(), value });
+        Ok(Described {
+            name: description.name().to_owned(),
+            primary: parameter(&names.primary, primary, description.primary()),
+            secondary: parameter(&names.secondary, secondary, description.secondary()),
+            constants: constants.collect(),
+            loops: description.loops().to_vec(),
+            notes: notes.map(|Mistake { message, line, .. }| Note { message, line }).collect(),
+            from_the_wall: !description.wall().is_usual(),
+            walls: description.from_each_wall().count(),
+            ordinates: Ordinate::ALL.iter().filter_map(quantity).collect(),
+            units: Units { length, time },
+        })
     }
 }
 

@@ -1,20 +1,18 @@
 //! Motion of the oscillator at one place of the plane.
 
 use core::f64::consts::TAU;
-use core::iter;
 
 use grazing_continuation::mps::Multipliers;
 use grazing_model::smooth::Stop;
-use grazing_model::smooth::Units;
 use grazing_model::{AnyOscillator, ImpactOscillator, State};
-use grazing_results::Stability;
+use grazing_results::place::{PlaceAttractor, PlaceSolution};
+use grazing_results::{Dimensioned, dimensioned};
 use grazing_unfold::described::Prepared;
 use grazing_unfold::long_time::Horizon;
 use grazing_unfold::place::{Attractor, Nearby, Place, Solution, Starts};
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
-use crate::answer::Problem;
+use crate::answer::{Cells, Problem, answers, told};
 use crate::model::Model;
 
 /// The request for motion at a place.
@@ -27,67 +25,114 @@ pub(crate) struct PlaceRequest {
     periods: Option<u32>,
     /// Whether orbits are also requested as curves: they are if it is missing.
     orbits: Option<bool>,
-    /// Motion found at a place nearby: if it is there, only this is followed.
-    nearby: Option<NearbyMotion>,
+    /// Motion found at a place nearby: if it is there, only this is followed, which takes a moment.
+    pub(crate) nearby: Option<NearbyMotion>,
 }
 
-/// Solutions, as p with velocity and phase of their impacts, and attractors, as the number of states that
-/// reach it and a state on it, in a form that only this program reads.
+/// Motion that is known at a place.
 #[derive(Deserialize)]
-struct NearbyMotion {
-    solutions: Vec<(u32, Vec<[f64; 2]>)>,
-    /// The walls that the impacts of each solution hit, from 0, if there are two.
-    #[serde(default)]
-    stops: Vec<Vec<usize>>,
+pub(crate) struct NearbyMotion {
+    solutions: Vec<Known>,
+    /// The number of states that reach each attractor, and a state on it, without dimensions.
     attractors: Vec<(u32, [f64; 3])>,
 }
 
+answers! {
+    /// Motion at a place.
+    Motion {
+        solutions: Vec<FoundSolution>,
+        attractors: Vec<FoundAttractor>,
+        /// The forcing period.
+        period: f64,
+        /// Where the other of two walls is as the first sees it, at even steps of a forcing period; nothing with one wall.
+        beyond: Vec<Position>,
+        /// The number of initial states, and whether those are of motion that was found nearby.
+        states: u32, followed: bool,
+    }
+
+    /// A periodic solution; whether an attractor is this solution, and its flights, if they were requested.
+    FoundSolution {
+        #[serde(flatten)] row: Cells, known: Known, multipliers: Eigenvalues, reached: bool, orbit: Vec<Vec<Moment>>,
+    }
+
+    /// An attractor: a state on it, without dimensions, the number of forcing periods for which it was followed, its
+    /// flights, and its impacts, with phases in [0, 2π).
+    FoundAttractor {
+        #[serde(flatten)] row: Cells, state: [f64; 3], waited: u32, orbit: Vec<Vec<Moment>>, strikes: Vec<Impact>,
+    }
+
+    /// A solution in a form that is read again: it can be followed from the place where it is known.
+    #[derive(Clone, Deserialize)]
+    Known {
+        /// The number of forcing periods in which it recurs.
+        p: u32,
+        impacts: Vec<Impact>,
+        /// The walls that its impacts hit, from 0, if there are two.
+        #[serde(default)]
+        stops: Vec<usize>,
+    }
+}
+
+/// The velocity and the phase of an impact; the phase is not reduced.
+#[derive(Clone, Copy, Deserialize, Serialize)]
+pub(crate) struct Impact(pub(crate) [f64; 2]);
+
+/// Time, position and velocity of motion; the phase is zero at time zero.
+#[derive(Serialize)]
+pub(crate) struct Moment([f64; 3]);
+
+/// A position, measured from the wall.
+#[derive(Serialize)]
+pub(crate) struct Position(f64);
+
+/// Multipliers as two eigenvalues, each with its real and its imaginary part.
+pub(crate) type Eigenvalues = [[f64; 2]; 2];
+
+dimensioned! {
+    Known, |own| { own.impacts, }
+    Impact, |own| { own.0[0] => "length/time", }
+    Moment, |own| { own.0[0] => "time", own.0[1] => "length", own.0[2] => "length/time", }
+    Position, |own| { own.0 => "length", }
+}
+
 impl NearbyMotion {
-    fn nearby(&self, here: &AnyOscillator, loops: &[u32], units: &Units) -> Option<Nearby> {
-        let few = self.solutions.len().max(self.attractors.len()) <= MOST_STATES as usize;
+    /// What can be followed at a place; nothing if there is too much, or too fast.
+    fn nearby(&self, here: &AnyOscillator, of: &Prepared) -> Option<Nearby> {
+        let solutions = self.solutions.clone().without_dimensions(&of.axes.units);
+        let few = solutions.len().max(self.attractors.len()) <= MOST_STATES as usize;
         let counted = self.attractors.iter().all(|(states, _)| (1..=MOST_STATES).contains(states));
-        let none = Vec::new();
-        let stops = self.stops.iter().chain(iter::repeat(&none));
-        let solutions =
-            self.solutions.iter().zip(stops).filter(|((p, impacts), stops)| {
-                is_sought(loops, *p, impacts) && are_stops(here, impacts, stops)
-            });
-        let attractors = self.attractors.iter();
         let near = |value: f64| value.abs() <= FARTHEST;
-        let struck =
-            |impacts: &[[f64; 2]]| impacts.iter().all(|[velocity, _]| near(velocity / units.velocity()));
-        let moderate = self.solutions.iter().all(|(_, impacts)| struck(impacts))
+        let mut struck = solutions.iter().flat_map(|solution| &solution.impacts);
+        let moderate = struck.all(|Impact([velocity, _])| near(*velocity))
             && self.attractors.iter().all(|(_, [position, velocity, _])| near(*position) && near(*velocity));
-        let without_dimensions = |impacts: &[[f64; 2]]| {
-            impacts.iter().map(|[velocity, phase]| [velocity / units.velocity(), *phase]).collect()
-        };
+        let sought = solutions.into_iter().filter(|solution| solution.is_sought(here, &of.scope.loops));
+        let attractors = self.attractors.iter().map(|&(states, [position, velocity, phase])| {
+            // No motion begins beyond the wall.
+            (states, State { position: position.min(0.0), velocity, phase })
+        });
         (few && counted && moderate).then(|| Nearby {
-            solutions: solutions
-                .map(|((p, impacts), stops)| ((*p, stops.clone()), without_dimensions(impacts)))
-                .collect(),
-            attractors: attractors
-                .map(|&(states, [position, velocity, phase])| {
-                    // No motion begins beyond the wall.
-                    (states, State { position: position.min(0.0), velocity, phase })
+            solutions: sought
+                .map(|Known { p, impacts, stops }| {
+                    ((p, stops), impacts.into_iter().map(|Impact(impact)| impact).collect())
                 })
                 .collect(),
+            attractors: attractors.collect(),
         })
     }
 }
 
-/// Whether solutions with such impacts in so many forcing periods are sought: MPSs of the numbers of loops, and
-/// all with several impacts, but not very many.
-pub(crate) fn is_sought(loops: &[u32], p: u32, impacts: &[[f64; 2]]) -> bool {
-    match impacts.len() {
-        1 => loops.contains(&p),
-        several => (2..=MOST_IMPACTS).contains(&several) && (1..=MOST_LOOPS).contains(&p),
+impl Known {
+    /// Whether such solutions are sought: MPSs of the numbers of loops, and all with several impacts, but not very
+    /// many; between two walls with one for each impact.
+    pub(crate) fn is_sought(&self, here: &AnyOscillator, loops: &[u32]) -> bool {
+        let Self { p, impacts, stops } = self;
+        let few = match impacts.len() {
+            1 => loops.contains(p),
+            several => (2..=MOST_IMPACTS).contains(&several) && (1..=MOST_LOOPS).contains(p),
+        };
+        let each = stops.len() == impacts.len() && stops.iter().all(|stop| *stop < 2);
+        few && (stops.is_empty() || each && here.other_stop().is_some())
     }
-}
-
-/// Whether stops are those of impacts: one for each between two walls, and otherwise none.
-pub(crate) fn are_stops(here: &AnyOscillator, impacts: &[[f64; 2]], stops: &[usize]) -> bool {
-    let each = stops.len() == impacts.len() && stops.iter().all(|stop| *stop < 2);
-    stops.is_empty() || each && here.other_stop().is_some()
 }
 
 /// The most impacts and forcing periods of a solution: motion with more is not recognised as periodic.
@@ -100,13 +145,6 @@ const MOST_PERIODS: u32 = 1_000_000;
 /// The greatest distance from rest at the wall, and the greatest velocity, of motion that was
 /// found: motion is of order one in the oscillator's units.
 pub(crate) const FARTHEST: f64 = 1e6;
-
-impl PlaceRequest {
-    /// Whether motion found nearby is followed, which takes a moment.
-    pub(crate) fn is_followed(&self) -> bool {
-        self.nearby.is_some()
-    }
-}
 
 /// The oscillator at a place, which is checked.
 ///
@@ -126,10 +164,10 @@ pub(crate) fn check(of: &Prepared, at: [f64; 2]) -> Result<AnyOscillator, Proble
     Ok(here)
 }
 
-pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Problem> {
+pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Motion, Problem> {
     let of = request.model.prepared(None, stop)?;
     let here = check(&of, request.at)?;
-    let units = of.axes.units;
+    let units = &of.axes.units;
     let found = match &request.nearby {
         None => {
             let usual = Starts::default();
@@ -139,69 +177,58 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Value, Prob
             Place::compute(&here, &of.scope, &Starts { states, horizon, ..usual }, stop)
         }
         Some(motion) => {
-            let nearby = motion.nearby(&here, &of.scope.loops, &units).ok_or_else(|| {
+            let nearby = motion.nearby(&here, &of).ok_or_else(|| {
                 Problem::wrong("there are too many nearby solutions, or they are too far away")
             })?;
             Place::followed(&here, &nearby, stop)
         }
     };
     let found = found.ok_or_else(Problem::ended)?;
-    let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
-    let flights = |flights: &[Vec<[f64; 3]>]| match request.orbits.unwrap_or(true) {
-        true => flights.iter().map(|flight| in_units(flight, &units)).collect(),
-        false => Vec::new(),
-    };
+    let rows = found.rows(1, here.parameters()).with_dimensions(units);
     let reached = reached(&found);
+    let orbit = |flights: Vec<Vec<[f64; 3]>>| -> Vec<Vec<Moment>> {
+        let flights = flights.into_iter().filter(|_| request.orbits.unwrap_or(true));
+        let moments = |flight: Vec<[f64; 3]>| flight.into_iter().map(Moment).collect();
+        flights.map(moments).collect::<Vec<_>>().with_dimensions(units)
+    };
     // With one wall nothing need be said of which is hit.
     let walls = usize::from(here.other_stop().is_some());
-    let solution = |(solution, reached): (&Solution, &bool)| {
-        let Solution { loops, impacts, stops, multipliers, admissible, orbit } = solution;
-        let impacts = impacts.iter().map(|[velocity, phase]| [velocity * units.velocity(), *phase]);
-        json!({
-            "p": loops,
-            "impacts": impacts.collect::<Vec<_>>(),
-            "stops": stops[..walls * stops.len()],
-            "multipliers": eigenvalues(multipliers),
-            "stability": Stability::of(*multipliers).name(),
-            "admissible": admissible,
-            "reached": reached,
-            "orbit": flights(orbit),
-        })
+    let solution = |((one, row), reached): ((Solution, &PlaceSolution), bool)| {
+        let impacts = one.impacts.into_iter().map(Impact).collect();
+        let known = Known { p: one.loops, impacts, stops: one.stops[..walls * one.stops.len()].to_vec() };
+        FoundSolution {
+            row: told(row),
+            known: known.with_dimensions(units),
+            multipliers: eigenvalues(&one.multipliers),
+            reached,
+            orbit: orbit(one.orbit),
+        }
     };
-    let attractor = |attractor: &Attractor| {
-        let Attractor { states: own_states, fate, exponent, flights: own, strikes, state, .. } = attractor;
-        let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
-        json!({
-            "share": f64::from(*own_states) / f64::from(states),
-            "states": own_states,
-            "state": [state.position, state.velocity, state.phase],
-            "kind": fate.kind.name(),
-            "loops": fate.loops(),
-            "periods": fate.periods,
-            "impacts": fate.impacts,
-            "second": fate.second,
-            "rests": fate.rests,
-            "waited": fate.followed,
-            "exponent": exponent.mean / units.time,
-            "exponent_error": exponent.error / units.time,
-            "orbit": flights(own),
-            "strikes": strikes.collect::<Vec<_>>(),
-        })
+    let attractor = |(one, row): (Attractor, &PlaceAttractor)| {
+        let strikes = one.strikes.into_iter().map(|[phase, velocity]| Impact([velocity, phase]));
+        FoundAttractor {
+            row: told(row),
+            state: [one.state.position, one.state.velocity, one.state.phase],
+            waited: one.fate.followed,
+            orbit: orbit(one.flights),
+            strikes: strikes.collect::<Vec<_>>().with_dimensions(units),
+        }
     };
-    Ok(json!({
-        "solutions": found.solutions.iter().zip(&reached).map(solution).collect::<Vec<_>>(),
-        "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
-        "period": found.period * units.time,
-        "beyond": other_wall(&here, &units),
-        "states": states,
-        "followed": request.nearby.is_some(),
-    }))
+    let solutions = found.solutions.into_iter().zip(&rows.solutions).zip(reached);
+    Ok(Motion {
+        solutions: solutions.map(solution).collect(),
+        attractors: found.attractors.into_iter().zip(&rows.attractors).map(attractor).collect(),
+        period: rows.period,
+        beyond: other_wall(&here).with_dimensions(units),
+        states: rows.states,
+        followed: request.nearby.is_some(),
+    })
 }
 
-/// Where the other of two walls is as the first sees it, at even steps of a forcing period; none with one wall.
-fn other_wall(here: &AnyOscillator, units: &Units) -> Vec<f64> {
+/// Where the other of two walls is, without dimensions.
+fn other_wall(here: &AnyOscillator) -> Vec<Position> {
     let count = if here.other_stop().is_some() { PHASES } else { 0 };
-    let at = |number: u32| -here.gap(TAU * f64::from(number) / f64::from(PHASES))[0].value * units.length;
+    let at = |number: u32| Position(-here.gap(TAU * f64::from(number) / f64::from(PHASES))[0].value);
     (0..count).map(at).collect()
 }
 
@@ -243,13 +270,8 @@ fn reached(found: &Place) -> Vec<bool> {
     reached
 }
 
-/// A flight in the file's units, with positions measured from the wall.
-fn in_units(flight: &[[f64; 3]], units: &Units) -> Vec<[f64; 3]> {
-    flight.iter().map(|[t, x, v]| [t * units.time, x * units.length, v * units.velocity()]).collect()
-}
-
-/// The eigenvalues with these multipliers, real and imaginary parts.
-pub(crate) fn eigenvalues(multipliers: &Multipliers) -> [[f64; 2]; 2] {
+/// The eigenvalues with these multipliers.
+pub(crate) fn eigenvalues(multipliers: &Multipliers) -> Eigenvalues {
     let Multipliers { trace, determinant } = *multipliers;
     let (middle, square) = (0.5 * trace, 0.25 * trace * trace - determinant);
     let root = square.abs().sqrt();

@@ -215,7 +215,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
     let rest = shared.token.rest(&path).ok_or_else(nothing)?;
     if request.method() == Method::GET {
         return match rest {
-            files::EXAMPLES => Ok(response::json(&files::examples(shared.program, &shared.examples))),
+            files::EXAMPLES => Ok(response::json(files::examples(shared.program, &shared.examples))),
             file => {
                 let (kind, content) = files::page(file).ok_or_else(nothing)?;
                 Ok(response::of_kind(kind, content))
@@ -234,7 +234,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
     let body = body(shared, request).await?;
     match read(&body).map_err(|error| Problem::unread(&error))? {
         Asked::One(weight, compute) => {
-            Ok(response::json(&turns::computed(&shared.turns, weight, move |stop| compute(stop)).await?))
+            Ok(response::json(turns::computed(&shared.turns, weight, compute).await?))
         }
         Asked::Told(compute) => stream::events(&shared.turns, shared.kept.clone(), compute).await,
         Asked::File(request) => {

@@ -8,10 +8,9 @@ use grazing_model::smooth::Stop;
 use grazing_unfold::long_time::{Horizon, LongOrbit, MotionKind, random_start};
 use grazing_unfold::progress::Progress;
 use rayon::prelude::*;
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
-use crate::answer::Problem;
+use crate::answer::{Problem, answers};
 use crate::events::Events;
 use crate::model::{Model, View};
 
@@ -38,6 +37,20 @@ const LOT: usize = 32;
 const OFTEN: Duration = Duration::from_millis(100);
 /// The share of all forcing periods that counts: one in this many.
 const COUNTED: u32 = 6;
+
+answers! {
+    /// Results for cells that are so many places wide.
+    Tiles { step: u32, cells: Vec<Cell>, }
+}
+
+/// The place in a cell: its column and row; and what motion comes to, if there is any: loops of an MPS, period in
+/// forcing periods, impacts in one, and whether it rests at the wall.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(crate) enum Cell {
+    Empty(u32, u32),
+    Simulated(u32, u32, Option<u32>, Option<u32>, f64, bool),
+}
 
 pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let &TilesRequest { columns, rows, periods, .. } = request;
@@ -69,28 +82,25 @@ pub(crate) fn compute(request: &TilesRequest, events: &Events, stop: &Stop) -> R
             let (now, later) = rest.split_at(lot.min(rest.len()));
             let began = (events.clock)();
             let cells = now.par_iter().map(|&[column, row]| {
-                if events.stopped() {
-                    return Value::Null;
-                }
                 let shares = [(column, columns), (row, rows)]
                     .map(|(place, count)| (f64::from(place) + 0.5) / f64::from(count));
                 let at = of.without_dimensions(view.parameters(shares));
                 // Beyond the part that is valid there is no motion.
-                if !of.scope.window.contains(at) {
-                    return json!([column, row]);
+                if events.stopped() || !of.scope.window.contains(at) {
+                    return Cell::Empty(column, row);
                 }
                 let here = of.oscillator.with_parameters(at);
                 // A place always has the same initial state, whatever was computed before.
                 let mut random = random(column, row);
                 let fate = LongOrbit::follow(&here, random_start(&here, -1.0, &mut random), horizon).fate;
                 let rests = fate.rests > 0.0 || fate.kind == MotionKind::Resting;
-                json!([column, row, fate.loops(), fate.periods, fate.impacts, rests])
+                Cell::Simulated(column, row, fate.loops(), fate.periods, fate.impacts, rests)
             });
-            let cells: Vec<Value> = cells.collect();
+            let cells = cells.collect();
             if events.stopped() {
                 return Ok(());
             }
-            events.send("tiles", &json!({"step": step, "cells": cells}));
+            events.send("tiles", &Tiles { step, cells });
             lot = if (events.clock)() - began < OFTEN { 2 * lot } else { (lot / 2).max(1) };
             rest = later;
         }

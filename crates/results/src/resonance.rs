@@ -4,6 +4,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{ResonantGrazing, ResonantPoint, Unfolding};
 use serde::{Deserialize, Serialize};
 
+use crate::plane::SpecialPoint;
 use crate::{row, rows, tables};
 
 rows! {
@@ -63,6 +64,14 @@ rows! {
         sn_simulation_reason: String = SN_SIMULATION_REASON,
         pd_as_simulated: &'static str = PD_AS_SIMULATED,
         pd_simulation_reason: String = PD_SIMULATION_REASON,
+    }
+
+    /// A resonance, whether or not the theorem holds there.
+    CheckedResonance {
+        at: SpecialPoint,
+        coefficients: Coefficients,
+        holds: bool = THEOREM_HOLDS,
+        failing: String = FAILING,
     }
 
     /// A hypothesis of the theorem at a resonance, whether or not all of them hold.

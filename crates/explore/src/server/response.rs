@@ -7,9 +7,8 @@ use http_body_util::{BodyExt, Full};
 use hyper::body::Bytes;
 use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue};
 use hyper::{Response, StatusCode};
-use serde_json::Value;
 
-use crate::answer::{ExportedFile, Problem};
+use crate::answer::{ExportedFile, Problem, written};
 use crate::asked::JSON;
 
 /// The body of an answer.
@@ -17,15 +16,15 @@ pub(super) type Body = BoxBody<Bytes, Infallible>;
 
 /// The answer to a request that has failed.
 pub(super) fn refused(problem: &Problem) -> Response<Body> {
-    let mut response = json(&problem.told());
+    let mut response = json(written(problem));
     *response.status_mut() =
         StatusCode::from_u16(problem.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
     response
 }
 
-/// A value as JSON; numbers that are not finite are null.
-pub(super) fn json(value: &Value) -> Response<Body> {
-    of_kind(JSON, value.to_string())
+/// An answer in JSON.
+pub(super) fn json(answer: String) -> Response<Body> {
+    of_kind(JSON, answer)
 }
 
 /// Content in one piece.

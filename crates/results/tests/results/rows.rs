@@ -154,6 +154,7 @@ all_rows! {
         sn_verdict, sn_reason, pd_verdict, pd_reason, quantities, sigma, pd_criticality, c_2gz,
         c_2gz_fit, sn_as_simulated, sn_simulation_reason, pd_as_simulated, pd_simulation_reason,
     }
+    CheckedResonance { at, coefficients, holds, failing }
     CheckedHypothesis { loops, wall, n, secondary, primary, theorem, hypothesis }
     GrazingRow {
         arc, wall, secondary, primary, phase, frequency, a11, a12, a21, a22, b1, b2, tau, delta,

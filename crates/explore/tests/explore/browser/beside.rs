@@ -28,7 +28,7 @@ fn straightened_coordinates_come_when_asked_for_and_by_themselves_where_all_curv
     // Now automatic again, so that they are shown at a resonance from near.
     page.value("use('state').then(([s]) => s.update({straight: null}))");
     page.value("use('diagram', 'state').then(([d, s]) => { const bend = (r) => Math.max(Math.abs(r.c_sn), Math.abs(r.c_pd)); \
-                const {primary: p, secondary: q} = d.diagram.resonances.filter(({holds}) => holds).sort((a, b) => bend(a) - bend(b))[0]; const w = 1e-6; \
+                const {primary: p, secondary: q} = d.diagram.resonances.filter(({theorem_holds}) => theorem_holds).sort((a, b) => bend(a) - bend(b))[0]; const w = 1e-6; \
                 s.update({view: {primary: [p - w, p + w], secondary: [q - w, q + w]}}); })");
     page.wait(&format!("use('diagram').then(([d]) => !d.diagram.stale && {STRAIGHT})"));
     page.wait(WHOLE);

@@ -318,7 +318,7 @@ fn a_place_and_a_cut_call_neutral_what_is_neither_stable_nor_unstable() {
     let answer: Value = answer.parse().unwrap();
     let words = |p: u32| -> Vec<&str> {
         let own = answer["solutions"].as_array().unwrap().iter().filter(|one| one["p"] == p);
-        own.filter_map(|one| one["stability"].as_str()).collect()
+        own.filter_map(|one| one["stable"].as_str()).collect()
     };
     assert_eq!(words(0), ["neutral"]);
     let cut = json!({"model": {"text": text}, "fixed": "secondary", "at": 0.8, "range": [0.1, 0.3]});

@@ -64,7 +64,8 @@ fn right(dice: &mut Dice) -> (&'static str, Value) {
         _ => json!({"text": null, "set": {"zeta": 0.03}, "loops": [1]}),
     };
     let view = json!({"primary": [0.2, 0.3], "secondary": [0.95, 0.97]});
-    let nearby = json!({"solutions": [[1, 0.2, 0.1]], "attractors": [[1, [-1.0, 0.0, 0.0]]]});
+    let nearby =
+        json!({"solutions": [{"p": 1, "impacts": [[0.2, 0.1]]}], "attractors": [[1, [-1.0, 0.0, 0.0]]]});
     let exact = json!({"model": model, "view": view, "kind": "graz", "p": 0, "start": [0.0, 0.1], "at": [0.25, 0.96]});
     let measured = json!({"name": "rig.csv", "text": "amplitude,omega,seen\n0.25,0.96,none\n"});
     match dice.below(9) {

@@ -20,13 +20,13 @@ fn places_tell_solutions_and_what_random_states_come_to() {
     // shrink with the damping ratio.
     let quiet = at([0.05, 0.8]);
     let attractors = quiet["attractors"].as_array().unwrap();
-    assert_eq!((attractors.len(), attractors[0]["kind"].as_str()), (1, Some("non-impacting")));
-    assert!((attractors[0]["exponent"].as_f64().unwrap() + 0.02).abs() < 1e-9, "{}", attractors[0]);
+    assert_eq!((attractors.len(), attractors[0]["motion"].as_str()), (1, Some("non-impacting")));
+    assert!((attractors[0]["lyapunov_exponent"].as_f64().unwrap() + 0.02).abs() < 1e-9, "{}", attractors[0]);
     // Solutions that are stable and admissible attract some states, with the impacts of the solutions.
     let busy = at([0.9, 0.8]);
     let solutions = busy["solutions"].as_array().unwrap();
     let good = |solution: &&Value| {
-        solution["p"] != 0 && solution["stability"] == "stable" && solution["admissible"] == true
+        solution["p"] != 0 && solution["stable"] == true && solution["admissible"] == true
     };
     let found: Vec<&Value> = solutions.iter().filter(good).collect();
     assert!(!found.is_empty(), "{busy}");
@@ -39,10 +39,10 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         .collect();
     for solution in found {
         assert_eq!(solution["reached"], true);
-        let [velocity, phase] = [0, 1].map(|index| solution["impacts"][0][index].as_f64().unwrap());
+        let [velocity, phase] = [0, 1].map(|index| solution["known"]["impacts"][0][index].as_f64().unwrap());
         let close = |strike: &[f64; 2]| {
-            let turns = (strike[0] - phase) / TAU;
-            (strike[1] - velocity).abs() < 1e-3 && (turns - turns.round()).abs() < 1e-3
+            let turns = (strike[1] - phase) / TAU;
+            (strike[0] - velocity).abs() < 1e-3 && (turns - turns.round()).abs() < 1e-3
         };
         assert!(strikes.iter().any(close), "{solution}");
     }
@@ -56,7 +56,7 @@ fn of_stable_solutions_those_that_no_start_reaches_are_marked() {
             server.post("place", &json!({"model": {"text": null}, "at": at, "orbits": false}).to_string());
         let told: Value = answer.parse().unwrap();
         let stable = told["solutions"].as_array().unwrap().clone().into_iter();
-        let stable = stable.filter(|one| one["stability"] == "stable" && one["admissible"] == true);
+        let stable = stable.filter(|one| one["stable"] == true && one["admissible"] == true);
         stable.map(|one| json!([one["p"], one["reached"]])).collect::<Vec<_>>()
     };
     assert_eq!(reached([0.825, 0.95]), [json!([1, true]), json!([2, false])]);
@@ -79,7 +79,7 @@ fn what_was_found_at_a_place_is_followed_to_the_next_one() {
     let before = at([0.9, 0.9], &Value::Null);
     let mps = |solution: &&Value| solution["p"] != 0;
     let told = list(&before, "solutions");
-    let told = told.iter().filter(mps).map(|one| json!([one["p"], one["impacts"]]));
+    let told = told.iter().filter(mps).map(|one| &one["known"]);
     let attractors = list(&before, "attractors");
     let attractors = attractors.iter().map(|one| json!([one["states"], one["state"]]));
     let nearby = json!({"solutions": told.collect::<Vec<_>>(), "attractors": attractors.collect::<Vec<_>>()});
@@ -92,7 +92,7 @@ fn what_was_found_at_a_place_is_followed_to_the_next_one() {
         list(answer, "solutions")
             .iter()
             .filter(mps)
-            .map(|one| one["impacts"][0][0].as_f64().unwrap())
+            .map(|one| one["impact_velocity"].as_f64().unwrap())
             .collect()
     };
     let (own, all) = (velocities(&followed), velocities(&looked_for));
@@ -102,7 +102,7 @@ fn what_was_found_at_a_place_is_followed_to_the_next_one() {
         "{own:?} {all:?}"
     );
     let kinds = |answer: &Value| -> Vec<Value> {
-        list(answer, "attractors").iter().map(|one| json!([one["kind"], one["periods"]])).collect()
+        list(answer, "attractors").iter().map(|one| json!([one["motion"], one["periods"]])).collect()
     };
     assert_eq!(kinds(&followed), kinds(&looked_for));
     let many = json!({"solutions": [], "attractors": vec![json!([1, [0, 0, 0]]); 300]});
