@@ -274,11 +274,13 @@ export function list() {
   $("resonances").hidden = resonances.length === 0;
   $("resonances-count").textContent = resonances.length;
   if (resonances.length === 0) return;
+  const two = description.walls > 1;
   const coefficient = (kind) => make("th", { scope: "col" }, make("i", {}, "c"), make("sub", {}, kind));
   const head = make(
     "tr",
     {},
     make("th", { scope: "col" }, make("i", {}, "p")),
+    ...(two ? [make("th", { scope: "col" }, "wall")] : []),
     make("th", { scope: "col" }, make("i", {}, "n")),
     make("th", { scope: "col" }, ...elements(axisPieces(description.primary))),
     make("th", { scope: "col" }, ...elements(axisPieces(description.secondary))),
@@ -291,9 +293,9 @@ export function list() {
     make(
       "tr",
       {},
-      ...[each.p, each.n ?? "–", number(each.primary, 6), number(each.secondary, 6), number(each.c_sn), number(each.c_pd)].map((cell) => make("td", {}, String(cell))),
+      ...[each.p, ...(two ? [each.wall] : []), each.n ?? "–", number(each.primary, 6), number(each.secondary, 6), number(each.c_sn), number(each.c_pd)].map((cell) => make("td", {}, String(cell))),
       make("td", { class: `words ${each.theorem_holds ? "good" : "bad"}` }, each.theorem_holds ? "holds" : each.failing),
-      make("td", {}, make("button", { type: "button", class: "small", onclick: () => zoomTo(each), "aria-label": `Zoom to the resonance p = ${each.p}, n = ${each.n}` }, "Zoom")),
+      make("td", {}, make("button", { type: "button", class: "small", onclick: () => zoomTo(each), "aria-label": `Zoom to the resonance p = ${each.p}, n = ${each.n}${two ? ` at wall ${each.wall}` : ""}` }, "Zoom")),
     ),
   );
   $("resonances-table").replaceChildren(make("thead", {}, head), make("tbody", {}, ...rows));

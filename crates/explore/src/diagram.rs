@@ -94,7 +94,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
     let of = model.prepare(&description, stop)?;
     let axes = of.axes.clone();
     if let Some(Mistake { message, .. }) = mistake {
-        tell(event("part", &Part { view: View::of(&description), reason: message }));
+        tell(event("part", &ValidPart { view: View::of(&description), reason: message }));
     }
     let mut all = Shown::default();
     let mut seen: Vec<Diagram> = Vec::new();
@@ -104,7 +104,7 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
             .with_dimensions(&axes.units)
             .into_iter()
             .filter(|rows| is_shown(rows, located.wall));
-        let grazing = (0..).zip(rows).map(|(k, rows)| Curve::of(&rows, k));
+        let grazing = (0..).zip(rows).map(|(k, rows)| ShownCurve::of(&rows, k));
         events.send("curves", &grazing.collect::<Vec<_>>());
         all.resonances.extend(resonances(&axes, &located));
         // What the other of two walls sees comes after it, and is sent together with it.
@@ -150,14 +150,14 @@ pub(crate) fn compute(request: &DiagramRequest, events: &Events, stop: &Stop) ->
 
 answers! {
     /// The part of the view that is shown, and what is wrong in the rest.
-    Part { view: View, reason: String, }
+    ValidPart { view: View, reason: String, }
 
     /// Why there is nothing in the view.
     Empty { sentence: String, found: String, question: String, }
 
     /// A curve.
     #[derive(Default)]
-    Curve {
+    ShownCurve {
         /// A name that stays the same while constants move: its number in the group of its kind.
         key: String,
         group: String,
@@ -183,17 +183,17 @@ answers! {
     Point { #[serde(flatten)] row: Cells, multipliers: Option<Eigenvalues>, }
 
     /// A region: what its vertices have in common, its border, and its name if it is one of several impacts.
-    Region { #[serde(flatten)] row: Cells, rings: Vec<Vec<(f64, f64)>>, name: Option<String>, }
+    ShownRegion { #[serde(flatten)] row: Cells, rings: Vec<Vec<(f64, f64)>>, name: Option<String>, }
 }
 
 /// What the page shows of the plane, as one wall sees it, and then as the other does as well.
 #[derive(Default)]
 struct Shown {
     resonances: Vec<Cells>,
-    curves: Vec<Curve>,
+    curves: Vec<ShownCurve>,
     points: Vec<Point>,
-    regions: Vec<Region>,
-    approximations: Vec<Curve>,
+    regions: Vec<ShownRegion>,
+    approximations: Vec<ShownCurve>,
 }
 
 impl Shown {
@@ -206,14 +206,14 @@ impl Shown {
             let first = &rows[0];
             let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
             *count += 1;
-            let found = Curve { starts: Some(starts), ..Curve::of(rows, *count - 1) };
+            let found = ShownCurve { starts: Some(starts), ..ShownCurve::of(rows, *count - 1) };
             if coarse { found } else { found.along(rows.iter().map(|row| &row.at)) }
         }));
         self.curves.extend(
             plane::own_curves(diagram)
                 .with_dimensions(&axes.units)
                 .chunk_by(|a, b| a.at.arc == b.at.arc)
-                .map(Curve::own),
+                .map(ShownCurve::own),
         );
         let known = diagram.unfolding().map(|_| None);
         let others = diagram.codimension_two.iter();
@@ -226,7 +226,7 @@ impl Shown {
             let rows = plane::regions(&diagram.regions).with_dimensions(&axes.units);
             let regions = rows.chunk_by(|a, b| a.region == b.region);
             let own = regions.filter(|rows| plane::counts(rows[0].loops, diagram.wall));
-            self.regions.extend(own.map(|rows| Region::of(rows, |row| &row.at)));
+            self.regions.extend(own.map(|rows| ShownRegion::of(rows, |row| &row.at)));
         }
         self.approximations.extend(approximations(axes, diagram));
     }
@@ -258,7 +258,7 @@ fn growing(axes: &Axes, located: Diagram, coarse: bool, events: &Events) -> Diag
                 rank = 2 * rank + grazing;
                 grazing += 1;
             }
-            Curve::of(&plane::bifurcation_rows(&located, found).with_dimensions(&axes.units), rank)
+            ShownCurve::of(&plane::bifurcation_rows(&located, found).with_dimensions(&axes.units), rank)
         };
         events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
     });
@@ -280,7 +280,7 @@ fn ranks(diagram: &Diagram) -> Vec<u32> {
     diagram.resonances.iter().map(rank).collect()
 }
 
-impl Curve {
+impl ShownCurve {
     /// A curve with these points, each with whether regions may end there.
     pub(crate) fn new(
         kind: &'static str,
@@ -347,7 +347,7 @@ fn starts(diagram: &Diagram) -> impl Iterator<Item = Vec<[f64; 2]>> {
     grazing.chain(others)
 }
 
-impl Region {
+impl ShownRegion {
     fn of<R: Row>(rows: &[R], at: fn(&R) -> &RegionCorner) -> Self {
         Self { row: told(&rows[0]), rings: RegionCorner::rings(rows.iter().map(at)), name: None }
     }
@@ -359,16 +359,18 @@ fn several(
     diagram: &Diagram,
     generations: u32,
     progress: &dyn Progress,
-) -> (Vec<Region>, Vec<Curve>) {
+) -> (Vec<ShownRegion>, Vec<ShownCurve>) {
     let found = of_diagram(diagram, generations, progress);
     let regions = found.rows(diagram.wall).regions.with_dimensions(&axes.units);
-    let one =
-        |rows: &[SequenceVertex]| Region { name: Some(rows[0].name()), ..Region::of(rows, |row| &row.at) };
+    let one = |rows: &[SequenceVertex]| ShownRegion {
+        name: Some(rows[0].name()),
+        ..ShownRegion::of(rows, |row| &row.at)
+    };
     let both = found.at_both_walls().with_dimensions(&axes.units);
     let both = both.chunk_by(|a, b| a.at.arc == b.at.arc).map(|rows| {
         let PlanePoint { kind, loops, at: OnCurve { arc, .. }, .. } = rows[0];
         let group = format!("{} {loops} both walls ", kind.name());
-        let found = Curve { key: format!("{group}#{arc}"), group, ..Curve::of(rows, arc) };
+        let found = ShownCurve { key: format!("{group}#{arc}"), group, ..ShownCurve::of(rows, arc) };
         found.along(rows.iter().map(|row| &row.at))
     });
     (regions.chunk_by(|a, b| a.region == b.region).map(one).collect(), both.collect())
@@ -395,7 +397,7 @@ fn resonances(axes: &Axes, diagram: &Diagram) -> impl Iterator<Item = Cells> {
 
 /// The quadratic approximations to the SN and PD curves of the resonances in the diagram, and to
 /// the curve on which period-doubled solutions graze, as far as they lie in the view.
-fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Curve> {
+fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<ShownCurve> {
     let ranks = ranks(diagram);
     let unfolding = diagram.resonances.iter().zip(ranks);
     let of = |(resonance, rank): (&grazing_unfold::resonances::FoundResonance, u32)| {
@@ -404,14 +406,14 @@ fn approximations(axes: &Axes, diagram: &Diagram) -> Vec<Curve> {
             let points = approximation(point, curve, diagram.scope.window);
             let points = points.into_iter().map(|point| (axes.units.parameters(point), true));
             let known = [resonance.loops, resonance.n, rank];
-            Curve::new(kind.name(), known, diagram.wall, CurveSource::Quadratic, points)
+            ShownCurve::new(kind.name(), known, diagram.wall, CurveSource::Quadratic, points)
         };
         let [saddle_node, period_doubling] = point.leading().named();
         // Period-doubled solutions begin at the period doubling, on its side.
         let coefficient = point.resonant_point().doubled_grazing_coefficient();
         let doubled = (Bifurcation::Grazing, BifurcationCurve { coefficient, ..period_doubling.1 });
         let tells = Some("2GZ: quadratic approximation to where period-doubled solutions graze");
-        Some([shown(saddle_node), shown(period_doubling), Curve { tells, ..shown(doubled) }])
+        Some([shown(saddle_node), shown(period_doubling), ShownCurve { tells, ..shown(doubled) }])
     };
     unfolding.filter_map(of).flatten().collect()
 }

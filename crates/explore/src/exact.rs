@@ -32,13 +32,13 @@ pub(crate) struct ExactRequest {
 
 answers! {
     /// A place on a curve, with the multipliers of the solution there, unless it is known by its grazing.
-    Exact { at: [f64; 2], multipliers: Option<Eigenvalues>, }
+    ExactPlace { at: [f64; 2], multipliers: Option<Eigenvalues>, }
 }
 
 /// The greatest distance of the place from where it was looked for, as a share of the view.
 const NEAR: f64 = 0.1;
 
-pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Exact, Problem> {
+pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<ExactPlace, Problem> {
     let ExactRequest { model, view, kind, p, wall, start: [first, second], at } = request;
     let of = model.prepared(Some(view), stop)?;
     let [primary, secondary] = of.without_dimensions(*at);
@@ -63,7 +63,7 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Exact, Prob
         let here = oscillator.with_parameters([primary, secondary]);
         let found = GrazingPlace::find(&here, *second).map_err(|_| lost())?;
         let found = found.parameters;
-        let exact = Exact { at: units.parameters(found), multipliers: None };
+        let exact = ExactPlace { at: units.parameters(found), multipliers: None };
         return near(found).then_some(exact).ok_or_else(lost);
     }
     let equations = match p {
@@ -82,5 +82,5 @@ pub(crate) fn compute(request: &ExactRequest, stop: &Stop) -> Result<Exact, Prob
     });
     let solution = found.next().ok_or_else(lost)?;
     let multipliers = Some(eigenvalues(&solution.multipliers));
-    Ok(Exact { at: units.parameters(solution.parameters()), multipliers })
+    Ok(ExactPlace { at: units.parameters(solution.parameters()), multipliers })
 }

@@ -14,7 +14,7 @@ use grazing_unfold::own_curves::through;
 use serde::Deserialize;
 
 use crate::answer::Problem;
-use crate::diagram::{Curve, OWN_CURVE};
+use crate::diagram::{OWN_CURVE, ShownCurve};
 use crate::model::{Model, View};
 use crate::place::{FARTHEST, Impact, Known};
 
@@ -29,7 +29,7 @@ pub(crate) struct FollowRequest {
     solution: Known,
 }
 
-pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Vec<Curve>, Problem> {
+pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Vec<ShownCurve>, Problem> {
     let &FollowRequest { ref model, ref view, at, ref solution } = request;
     let of = model.prepared(Some(view), stop)?;
     let [primary, secondary] = of.without_dimensions(at);
@@ -61,7 +61,7 @@ pub(crate) fn compute(request: &FollowRequest, stop: &Stop) -> Result<Vec<Curve>
         let points =
             points.map(|point| (units.parameters(point.solution.parameters()), bold(&point.solution)));
         let multipliers = curve.points.iter().map(|point| point.solution.multipliers);
-        Curve::new(OWN_CURVE, [known.p, 0, rank], 0, CurveSource::Continuation, points)
+        ShownCurve::new(OWN_CURVE, [known.p, 0, rank], 0, CurveSource::Continuation, points)
             .with(multipliers, curve.lost().map(Option::unwrap_or_default))
     };
     Ok((0..).zip(&found).map(one).collect())

@@ -21,16 +21,16 @@ fn hex([red, green, blue]: Colour) -> String {
 
 answers! {
     /// The look of a kind of curves: its meaning, its entry in the legend, its place in the order of painting, and its pen.
-    Look {
+    ColoursAndStroke {
         meaning: &'static str, legend: String, layer: u8,
-        light: Colours, dark: Colours, #[serde(flatten)] stroke: Stroke,
+        light: Colours, dark: Colours, #[serde(flatten)] stroke: StrokeInPixels,
     }
 
     /// The colours of a curve and of its approximation, if it has one.
     Colours { curve: String, quadratic: Option<String>, }
 
     /// Width and dashes of a line, in pixels.
-    Stroke { width: f64, dashes: Vec<f64>, }
+    StrokeInPixels { width: f64, dashes: Vec<f64>, }
 
     /// The inks on both grounds.
     Grounds { light: Inks, dark: Inks, }
@@ -39,10 +39,10 @@ answers! {
     Inks { loops: [String; LOOPS.len()], #[serde(flatten)] others: BTreeMap<&'static str, String>, }
 }
 
-fn stroke(width: f64, dashes: &[f64]) -> Stroke {
+fn stroke(width: f64, dashes: &[f64]) -> StrokeInPixels {
     // To hundredths.
     let pixels = |length: f64| (100.0 * SCALE * length).round() / 100.0;
-    Stroke { width: pixels(width), dashes: dashes.iter().copied().map(pixels).collect() }
+    StrokeInPixels { width: pixels(width), dashes: dashes.iter().copied().map(pixels).collect() }
 }
 
 /// The inks on light (0) or on dark ground (1).
@@ -80,13 +80,16 @@ pub(crate) fn script() -> String {
             Bifurcation::NonImpactingGrazing => look.brief.to_owned(),
             _ => format!("{}, {}", kind.name(), look.brief),
         };
-        (kind.name(), Look { meaning, legend, layer, light, dark, stroke: stroke(look.width, look.dashes) })
+        (
+            kind.name(),
+            ColoursAndStroke { meaning, legend, layer, light, dark, stroke: stroke(look.width, look.dashes) },
+        )
     };
-    let mut looks: BTreeMap<&str, Look> = Bifurcation::ALL.into_iter().map(look).collect();
+    let mut looks: BTreeMap<&str, ColoursAndStroke> = Bifurcation::ALL.into_iter().map(look).collect();
     let layer = looks.values().map(|look| look.layer).max().unwrap_or_default();
     let [light, dark] = OWN.map(|colour| Colours { curve: hex(colour), quadratic: None });
     let (meaning, legend, stroke_of_own) = ("", String::new(), stroke(OWN_WIDTHS[0], &[]));
-    looks.insert(OWN_CURVE, Look { meaning, legend, layer, light, dark, stroke: stroke_of_own });
+    looks.insert(OWN_CURVE, ColoursAndStroke { meaning, legend, layer, light, dark, stroke: stroke_of_own });
     let approximation = stroke(CurveLook::APPROXIMATION_WIDTH, CurveLook::APPROXIMATION_DASHES);
     let constants = [
         ("KINDS", written(&Bifurcation::ALL.map(Bifurcation::name))),

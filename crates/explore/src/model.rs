@@ -35,18 +35,18 @@ pub struct View {
 
 answers! {
     /// What is said of a file: what it describes, or its mistake.
-    Checked { ok: bool, #[serde(flatten)] described: Option<Described>, #[serde(flatten)] mistake: Option<Wrong>, }
+    Checked { ok: bool, #[serde(flatten)] described: Option<Described>, #[serde(flatten)] mistake: Option<MistakeInFile>, }
 
     /// The description of an oscillator, before anything is computed.
     Described {
-        name: String, primary: Parameter, secondary: Parameter, units: Units,
-        constants: Vec<Constant>, loops: Vec<u32>, notes: Vec<Note>,
+        name: String, primary: Parameter, secondary: Parameter, units: UnitsOfFile,
+        constants: Vec<Constant>, loops: Vec<u32>, notes: Vec<NoteOnFile>,
         /// Whether x is measured from the wall: unless this is at x = 0 with the motion below it.
         from_the_wall: bool,
         /// The number of walls.
         walls: usize,
         /// The quantities on the vertical axis of a one-parameter diagram.
-        ordinates: Vec<Quantity>,
+        ordinates: Vec<NamedQuantity>,
     }
 
     /// A parameter of the plane, with its title in label markup.
@@ -56,16 +56,16 @@ answers! {
     Constant { name: String, value: f64, }
 
     /// A quantity with the name of its unit.
-    Quantity { name: &'static str, unit: Option<String>, }
+    NamedQuantity { name: &'static str, unit: Option<String>, }
 
     /// The names of units.
-    Units { length: Option<String>, time: Option<String>, }
+    UnitsOfFile { length: Option<String>, time: Option<String>, }
 
     /// A note on the file.
-    Note { message: String, line: Option<usize>, }
+    NoteOnFile { message: String, line: Option<usize>, }
 
     /// A mistake in the file.
-    Wrong { message: String, key: Option<String>, line: Option<usize>, span: Option<[usize; 2]>, }
+    MistakeInFile { message: String, key: Option<String>, line: Option<usize>, span: Option<[usize; 2]>, }
 }
 
 /// What a model describes, or the mistake in it, which is an answer, too.
@@ -74,7 +74,7 @@ pub(crate) fn check(model: &Model, stop: &Stop) -> Result<Checked, Problem> {
         _ if stop.is_asked() => Err(Problem::ended()),
         Ok(described) => Ok(Checked { ok: true, described: Some(described), mistake: None }),
         Err(Mistake { message, key, line, span }) => {
-            let mistake = Some(Wrong { message, key, line, span });
+            let mistake = Some(MistakeInFile { message, key, line, span });
             Ok(Checked { ok: false, described: None, mistake })
         }
     }
@@ -199,7 +199,7 @@ impl Model {
         let quantity = |ordinate: &Ordinate| {
             let (name, (_, unit)) = (ordinate.name(), ordinate.column());
             let is_known = description.has_mass() || !ordinate.needs_mass();
-            is_known.then(|| Quantity { name, unit: units.named_unit(unit) })
+            is_known.then(|| NamedQuantity { name, unit: units.named_unit(unit) })
         };
         let notes = description.notes().iter().map(|note| note.mistake());
         let constants =
@@ -210,11 +210,11 @@ impl Model {
             secondary: parameter(&names.secondary, secondary, description.secondary()),
             constants: constants.collect(),
             loops: description.loops().to_vec(),
-            notes: notes.map(|Mistake { message, line, .. }| Note { message, line }).collect(),
+            notes: notes.map(|Mistake { message, line, .. }| NoteOnFile { message, line }).collect(),
             from_the_wall: !description.wall().is_usual(),
             walls: description.from_each_wall().count(),
             ordinates: Ordinate::ALL.iter().filter_map(quantity).collect(),
-            units: Units { length, time },
+            units: UnitsOfFile { length, time },
         })
     }
 }

@@ -39,7 +39,7 @@ pub(crate) struct NearbyMotion {
 
 answers! {
     /// Motion at a place.
-    Motion {
+    MotionAtPlace {
         solutions: Vec<FoundSolution>,
         attractors: Vec<FoundAttractor>,
         /// The forcing period.
@@ -164,7 +164,7 @@ pub(crate) fn check(of: &Prepared, at: [f64; 2]) -> Result<AnyOscillator, Proble
     Ok(here)
 }
 
-pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Motion, Problem> {
+pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<MotionAtPlace, Problem> {
     let of = request.model.prepared(None, stop)?;
     let here = check(&of, request.at)?;
     let units = &of.axes.units;
@@ -215,7 +215,7 @@ pub(crate) fn compute(request: &PlaceRequest, stop: &Stop) -> Result<Motion, Pro
         }
     };
     let solutions = found.solutions.into_iter().zip(&rows.solutions).zip(reached);
-    Ok(Motion {
+    Ok(MotionAtPlace {
         solutions: solutions.map(solution).collect(),
         attractors: found.attractors.into_iter().zip(&rows.attractors).map(attractor).collect(),
         period: rows.period,
