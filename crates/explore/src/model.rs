@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grazing_input::{Axis, Description, DescriptionError, Mistake, Setting, SettingError, Text};
+use grazing_input::{Axis, Description, DescriptionError, Mistake, Note, Setting, SettingError, Text};
 use grazing_model::smooth::{Stop, Stoppable};
 use grazing_model::{AnyOscillator, LinearOscillator, OscillatorError};
 use grazing_results::readings::Ordinate;
@@ -35,12 +35,12 @@ pub struct View {
 
 answers! {
     /// What is said of a file: what it describes, or its mistake.
-    Checked { ok: bool, #[serde(flatten)] described: Option<Described>, #[serde(flatten)] mistake: Option<MistakeInFile>, }
+    Checked { ok: bool, #[serde(flatten)] described: Option<Described>, #[serde(flatten)] mistake: Option<Mistake>, }
 
     /// The description of an oscillator, before anything is computed.
     Described {
         name: String, primary: Parameter, secondary: Parameter, units: UnitsOfFile,
-        constants: Vec<Constant>, loops: Vec<u32>, notes: Vec<NoteOnFile>,
+        constants: Vec<Constant>, loops: Vec<u32>, notes: Vec<Mistake>,
         /// Whether x is measured from the wall: unless this is at x = 0 with the motion below it.
         from_the_wall: bool,
         /// The number of walls.
@@ -60,12 +60,6 @@ answers! {
 
     /// The names of units.
     UnitsOfFile { length: Option<String>, time: Option<String>, }
-
-    /// A note on the file.
-    NoteOnFile { message: String, line: Option<usize>, }
-
-    /// A mistake in the file.
-    MistakeInFile { message: String, key: Option<String>, line: Option<usize>, span: Option<[usize; 2]>, }
 }
 
 /// What a model describes, or the mistake in it, which is an answer, too.
@@ -73,10 +67,7 @@ pub(crate) fn check(model: &Model, stop: &Stop) -> Result<Checked, Problem> {
     match model.described(stop) {
         _ if stop.is_asked() => Err(Problem::ended()),
         Ok(described) => Ok(Checked { ok: true, described: Some(described), mistake: None }),
-        Err(Mistake { message, key, line, span }) => {
-            let mistake = Some(MistakeInFile { message, key, line, span });
-            Ok(Checked { ok: false, described: None, mistake })
-        }
+        Err(mistake) => Ok(Checked { ok: false, described: None, mistake: Some(mistake) }),
     }
 }
 
@@ -201,7 +192,6 @@ impl Model {
             let is_known = description.has_mass() || !ordinate.needs_mass();
             is_known.then(|| NamedQuantity { name, unit: units.named_unit(unit) })
         };
-        let notes = description.notes().iter().map(|note| note.mistake());
         let constants =
             description.constants().map(|(name, value)| Constant { name: name.to_owned(), value });
         Ok(Described {
@@ -210,7 +200,7 @@ impl Model {
             secondary: parameter(&names.secondary, secondary, description.secondary()),
             constants: constants.collect(),
             loops: description.loops().to_vec(),
-            notes: notes.map(|Mistake { message, line, .. }| NoteOnFile { message, line }).collect(),
+            notes: description.notes().iter().map(Note::mistake).collect(),
             from_the_wall: !description.wall().is_usual(),
             walls: description.from_each_wall().count(),
             ordinates: Ordinate::ALL.iter().filter_map(quantity).collect(),

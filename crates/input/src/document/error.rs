@@ -2,6 +2,8 @@
 
 use std::fmt::{self, Display};
 
+use serde::Serialize;
+
 use super::words::suggestion;
 
 /// The first error in a file, with its remedy.
@@ -128,7 +130,7 @@ impl SourceError {
 
 /// A mistake for display beside the file: the message, the key, and the line (from 1) and the
 /// characters in it (from 0) that are wrong, as far as they are known.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mistake {
     /// The message; it includes the place only where there is no line, as for a setting.
     pub message: String,
