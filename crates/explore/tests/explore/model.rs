@@ -72,8 +72,8 @@ fn the_notes_of_the_command_line_are_told_also_on_constants_that_are_set() {
     model.set.insert("zeta".to_owned(), -0.02);
     let told = checked(&model);
     let description = model.read::<Mistake>("oscillator.toml", None, &Stop::default()).unwrap();
-    let Mistake { message, line, .. } = description.notes()[0].mistake();
-    assert_eq!(told["notes"], json!([{"message": message, "line": line}]));
+    let Mistake { message, key, line, .. } = description.notes()[0].mistake();
+    assert_eq!(told["notes"], json!([{"message": message, "key": key, "line": line, "span": null}]));
     assert!(line.is_some() && message.contains("the sign of the damping"), "{told}");
 }
 
