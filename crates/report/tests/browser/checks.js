@@ -6,7 +6,8 @@ addEventListener("load", async () => {
   const check = (name, passed, seen) => results.push(`${passed ? "passed" : "FAILED"}: ${name}${passed ? "" : `: ${JSON.stringify(seen)}`}`);
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
   const turn = () => new Promise((done) => setTimeout(done, 10));
-  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  // A browser may paint no more where nothing changes.
+  const frame = () => new Promise((done) => { requestAnimationFrame(done); setTimeout(done, 100); });
   /** Waits until something is so, but not for ever. */
   const until = async (is) => {
     for (const began = performance.now(); !is() && performance.now() - began < PATIENCE; ) await turn();

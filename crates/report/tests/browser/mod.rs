@@ -101,7 +101,8 @@ const LANDED: &str = "async (link, click, patience) => {
         const top = target.getBoundingClientRect().top;
         return Math.max(-scrollY, Math.min(end - scrollY, top - wanted));
     };
-    const frame = () => new Promise((done) => requestAnimationFrame(done));
+    // A browser may paint no more where nothing changes.
+    const frame = () => new Promise((done) => { requestAnimationFrame(done); setTimeout(done, 100); });
     let still = 0;
     for (const began = performance.now(); still < 10 && performance.now() - began < patience; ) {
         still = Math.abs(off()) < 5 ? still + 1 : 0;
