@@ -22,10 +22,17 @@ pub(super) fn grazing(unfolded: &Unfolded) -> Vec<GrazingRow> {
         let first = curve.states.first().map_or(0.0, |first| first.orbit.phase());
         let turns = TAU * libm::round(first / TAU);
         rows.extend(curve.states.iter().map(|state| {
-            let at = state.orbit.oscillator().parameters();
-            let (phase, is) =
-                (state.orbit.phase() - turns, (Stability::of(state.multipliers), state.admissible));
-            GrazingRow::new((arc, unfolded.diagram.wall), at, phase, &state.orbit.grazing_point(), is)
+            let [primary, secondary] = state.orbit.oscillator().parameters();
+            GrazingRow {
+                arc,
+                wall: unfolded.diagram.wall,
+                secondary,
+                primary,
+                phase: state.orbit.phase() - turns,
+                point: state.orbit.grazing_point(),
+                stable: Stability::of(state.multipliers),
+                admissible: state.admissible,
+            }
         }));
     }
     rows.with_dimensions(&unfolded.axes.units)
@@ -47,8 +54,8 @@ pub(super) fn along(diagram: &Diagram, progress: &dyn Progress) -> Vec<GrazingLo
         // Where an iterate of P_global has no maximum near Π, these quantities do not exist.
         let found = parallel::map(&states, |(arc, state)| {
             let point = state.orbit.resonant_point(loops).ok()?;
-            let at = state.orbit.oscillator().parameters();
-            Some(GrazingLoopRow::new((*arc, diagram.wall), at, &point))
+            let [primary, secondary] = state.orbit.oscillator().parameters();
+            Some(GrazingLoopRow { loops, arc: *arc, wall: diagram.wall, secondary, primary, point })
         });
         all.extend(found.into_iter().flatten());
         progress.step(ALONG);
